@@ -4,7 +4,6 @@
 use crate::contact::internals::{InPlane, PreparedContact, TangentialLoad};
 use crate::contact::{Contact, ContactGeometry, ContactModes, ContactVector, SphereBody, WallBody};
 use crate::coupling::disk::Disk;
-use crate::coupling::equal_speeds::Exponent;
 use crate::coupling::flat::{Motion, PatchShape, PointLoad, PolygonPowerLaw, Reduced, SplitMotion};
 use crate::coupling::load_transfer::LoadTransferWrench;
 use crate::coupling::round::{LateralPolynomialTable, PolynomialTable, RoundTable};
@@ -88,8 +87,7 @@ formats! {
         e.force_limit(), e.torque_limit(), e.radius();
     [R: Real + Format, const CELLS: usize, const TERMS: usize] Table<R, CELLS, TERMS>: |t|
         "table of the disk, exponent {}", t.exponent();
-    [R: Real + Format, E: Exponent<R>, const CELLS: usize, const TERMS: usize]
-        Disk<R, E, CELLS, TERMS>: |t|
+    [R: Real + Format, const CELLS: usize, const TERMS: usize] Disk<R, CELLS, TERMS>: |t|
         "table of the disk without a power, exponent {}", t.exponent();
     [R: Real + Format, const CELLS: usize, const TERMS: usize] RoundTable<R, CELLS, TERMS>: |t|
         "table of exponent {}, mean r² {}", t.exponent(), t.mean_square_radius();

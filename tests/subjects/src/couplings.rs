@@ -162,6 +162,7 @@ pub(crate) fn profile<R: Real>(
     }
     let inertia = tier.inertia_excess(&speeds, R::HALF);
     input.give(tier.drag_and_torque(&speeds).into_iter().chain([inertia]));
+    input.give(tier.drag(slide * slide, rim));
     input.give([tier.speed_scale(slide), tier.rate_scale(rim)]);
     let wrench = unscaled_wrench(tier, slide, rim);
     input.give([wrench.force, wrench.torque]);

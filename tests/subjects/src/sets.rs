@@ -27,11 +27,11 @@ pub fn sets<R: Real>(input: &mut Input<'_>) -> Verdict {
         }
         1 => {
             let set = input.taken(RoundLimitSurface::new(CoulombRing, force, radius))?;
-            asked(input, &set)
+            round(input, &set)
         }
         2 => {
             let set = input.taken(RoundLimitSurface::new(CoulombPunch, force, radius))?;
-            asked(input, &set)
+            round(input, &set)
         }
         3 => {
             let set = LimitEllipsoid::new(force, radius, input.positive());
@@ -52,18 +52,18 @@ fn rare<R: Real>(input: &mut Input<'_>, force: R, radius: R) -> Verdict {
     match input.below(3) {
         0 => {
             let set = input.taken(RoundLimitSurface::new(CoulombParaboloid, force, radius))?;
-            asked(input, &set)
+            round(input, &set)
         }
         1 => {
             let dry = input.taken(DryProfile::new::<R>(CoulombHertz))?;
             let set = input.taken(RoundLimitSurface::new(dry, force, radius))?;
-            asked(input, &set)
+            round(input, &set)
         }
         _ => {
             let ratio = inner_ratio(input);
             let band = input.taken(Annulus::new(CoulombDisk, ratio))?;
             let set = input.taken(RoundLimitSurface::new(band, force, radius))?;
-            asked(input, &set)
+            round(input, &set)
         }
     }
 }
@@ -143,6 +143,17 @@ pub fn asked<R: Real, S: FrictionSet<R>>(input: &mut Input<'_>, set: &S) -> Verd
     };
     input.give(parts(&set.project(&push).wrench));
     let near = set.project_with_length(&push, length);
+    let mut together = [near; 2];
+    set.project_each(&[push; 2], length, &mut together);
+    for one in together {
+        for (a, b) in parts(&one.wrench).into_iter().zip(parts(&near.wrench)) {
+            input.holds(
+                a == b || a.is_nan() && b.is_nan(),
+                "projections together",
+                &[a, b],
+            )?;
+        }
+    }
     if set.force_limit() > R::ZERO {
         input.finite("gauge", [gauge])?;
         input.finite("normal", rates(&resisted))?;
