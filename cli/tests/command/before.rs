@@ -1,6 +1,7 @@
 //! Folders of earlier versions: an interrupted run goes on to the summary that it would have had then.
 //!
-//! `before/` has runs of 27 November 2026, broken off by a signal, each with the summary of the same run left alone.
+//! `before/` has runs of 27 November 2026, broken off by a signal, each with the summary of the same run left alone. That
+//! of the powder is of the run's second half since walls are swept in turn.
 
 use crate::program::{Outcome, json, succeed, summary};
 use std::path::Path;
