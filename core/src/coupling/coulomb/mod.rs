@@ -35,6 +35,7 @@ use core::marker::PhantomData;
 
 mod curve;
 #[rustfmt::skip]
+#[expect(clippy::approx_constant, reason = "they are fitted")]
 mod terms;
 
 /// Rows of P, Q, R and S, and where they serve: spinning leads, sliding leads.
