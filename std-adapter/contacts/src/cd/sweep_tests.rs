@@ -32,7 +32,7 @@ fn tangle<F: ContactFriction<f64>>(friction: F, spread: f64) -> Spheres<F> {
     let mut radii = Vec::new();
     for at in 0..SPHERES {
         let (velocity, spin) = (vector(1.0), vector(1.0));
-        radii.push(1.0 + spread * (at as f64).sin());
+        radii.push(1.0 + spread * libm::sin(at as f64));
         problem.free.0.push(SphereBody {
             velocity,
             spin,
