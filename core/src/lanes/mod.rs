@@ -31,11 +31,6 @@ pub(crate) const GROUP: usize = 8;
 pub(crate) type Group<T> = [T; GROUP];
 
 /// Σ term(n) uⁿ, even and odd powers apart.
-#[cfg(any(
-    target_feature = "sse2",
-    all(target_arch = "aarch64", target_feature = "neon"),
-    target_feature = "simd128"
-))]
 #[inline(always)]
 pub(crate) fn even_and_odd<V: Copy + Add<Output = V> + Mul<Output = V>, const TERMS: usize>(
     term: impl Fn(usize) -> V,
