@@ -183,13 +183,13 @@ bounds! {
     /// Gauge of projections against 1, in units of EPSILON; the collar is 64.
     ON_SURFACE_ULPS = 8.0, "surface point and gauge round a few times each";
     /// The same for couplings by the arithmetic-geometric mean.
-    ON_SURFACE_PLANE_ULPS = 56.0, "noise of annuli and of patches in the plane, in point and gauge";
+    ON_SURFACE_PLANE_ULPS = 56.0, "noise of rings, annuli and patches in the plane, in point and gauge";
     /// The same for points, whose gauge between facets is right to POINT_SURFACE.
     ON_SURFACE_POINT_ULPS = 4.5e6, "POINT_SURFACE in units of EPSILON";
     /// Displacement across the normal, of the set's size and the displacement.
     ACROSS_NORMAL = 1e-15, "normal and surface point round a few times";
     /// Friction of a projection's normal against the projection, of the set's size.
-    FRICTION_OF_NORMAL = 2e-14, "noise of annuli near equal speeds; 6.7e-16 on the disk";
+    FRICTION_OF_NORMAL = 2e-14, "noise of rings and annuli near equal speeds; 6.7e-16 on the disk";
     /// Growth of the distance of two wrenches by projection in f32, of the set's size.
     EXPANSION_SINGLE = 4e-7, "surface points round to a few ulp of the limits";
     /// f32 projections against f64, of the set's size.

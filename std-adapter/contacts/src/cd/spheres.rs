@@ -88,8 +88,9 @@ pub struct Spheres<F: ContactFriction<f64>> {
     /// Materials and their friction, in place of `friction`, if there are several.
     pub mixture: Option<Arc<MaterialTable<F>>>,
     schedule: Schedule,
-    /// What pairs that are solved four at a time need.
-    lanes: Option<Constants>,
+    /// What pairs that are solved four at a time need. Boxed: the memory of an owner in another language may not have
+    /// its alignment.
+    lanes: Option<Box<Constants>>,
 }
 
 impl<F: ContactFriction<f64>> Spheres<F> {
@@ -122,7 +123,9 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         schedule.arrange(count, self.pairs.view(), &mut self.images);
         self.pairs.arrange(&schedule.order(), schedule.parts());
         self.lanes = match &self.mixture {
-            None => self.friction[0].independent_limits().map(Constants::new),
+            None => self.friction[0]
+                .independent_limits()
+                .map(|limits| Box::new(Constants::new(limits))),
             Some(_) => None,
         };
         self.spheres.clear();
@@ -140,7 +143,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
     /// Number of pairs that are solved four at a time.
     pub fn lane_pairs(&self) -> usize {
         let view = self.pairs.view();
-        self.lanes.map_or(0, |_| view.together())
+        self.lanes.as_ref().map_or(0, |_| view.together())
     }
 
     /// Friction between two spheres.
@@ -235,7 +238,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
                 part: block.pairs.clone(),
                 impulses: own,
                 swept: swept.get(block.pairs.clone()).unwrap_or_default(),
-                lanes: self.lanes.as_ref(),
+                lanes: self.lanes.as_deref(),
             };
             parts.push((stretch, (block.spheres.start as u32, bodies), watch.fork()));
         }
@@ -271,7 +274,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             pairs: view,
             part: across.clone(),
             swept: swept.get(across.clone()).unwrap_or_default(),
-            lanes: self.lanes.as_ref(),
+            lanes: self.lanes.as_deref(),
             impulses: &mut impulses[across],
         };
         sweep_pairs(stretch, (0, &mut self.spheres), friction, way, watch);
@@ -340,7 +343,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
                 part: block.pairs.clone(),
                 now: &now[block.pairs.clone()],
                 swept: own,
-                lanes: self.lanes.as_ref(),
+                lanes: self.lanes.as_deref(),
             };
             parts.push((moving, (block.spheres.start as u32, bodies)));
         }
@@ -357,7 +360,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             part: across..now.len(),
             now: &now[across..],
             swept: swept_across,
-            lanes: self.lanes.as_ref(),
+            lanes: self.lanes.as_deref(),
         };
         extrapolate(moving, (0, &mut self.spheres), friction, beta);
     }
