@@ -6,7 +6,7 @@ use crate::{Input, Verdict};
 use tribos_core::contact::TimeStep;
 use tribos_core::holding::{Stiction, StictionBounds};
 use tribos_core::law::StickSlip;
-use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, ScaledSet};
+use tribos_core::limit_surface::{FrictionSet, LimitEllipsoid, Projection, Region, ScaledSet};
 use tribos_core::patch::nodes::{NodePatch, Nodes};
 use tribos_core::planar::{ElasticState, PlanarBody};
 use tribos_core::presliding::{
@@ -49,6 +49,22 @@ fn patch<R: Real>(input: &mut Input<'_>) -> Verdict {
     let (anchor, from, to) = (Anchor::at(pose(input)), pose::<R>(input), pose(input));
     let step = bonds.step(&set, &anchor, &to);
     input.finite("friction on bonds", parts(&step.friction))?;
+    let mut together = [Projection {
+        wrench: step.friction,
+        region: Region::Inside,
+    }];
+    set.project_each(&[step.friction], radius, &mut together);
+    let alone = set.project_with_length(&step.friction, radius);
+    for (a, b) in parts(&together[0].wrench)
+        .into_iter()
+        .zip(parts(&alone.wrench))
+    {
+        input.holds(
+            a == b || a.is_nan() && b.is_nan(),
+            "projections together",
+            &[a, b],
+        )?;
+    }
     let is_kept = step.anchor == anchor || step.grip != StickSlip::Stick;
     input.holds(
         is_kept,
