@@ -79,12 +79,13 @@ const BOTH: &[&str] = &["f32", "f64"];
 
 /// Modules that are no feature of their own: `coupling` itself has its traits only, and `wide` and
 /// `beyond` serve the ends of the number range in every coupling.
-pub const PLUMBING: [&str; 12] = [
+pub const PLUMBING: [&str; 13] = [
     "coupling",
     "real",
     "real::sealed",
     "lanes",
     "lanes::vectors",
+    "lanes::numbers",
     "twist",
     "law::error",
     "law::limits",

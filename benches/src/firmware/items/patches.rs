@@ -37,7 +37,7 @@ const fn dry(
 macro_rules! flat {
     ($more:literal) => {
         concat!(
-            "coupling::flat coupling::flat::uniform coupling::flat::moving_edge lanes coupling::flat::pole_far ",
+            "coupling::flat coupling::flat::uniform coupling::flat::moving_edge lanes special::log_part coupling::flat::pole_far ",
             "coupling::flat::motion coupling::flat::pole_near coupling::flat::pair_of_numbers patch::edge patch::outline_extent patch::outline special::legendre ",
             "special::log_quotient ",
             $more
@@ -50,25 +50,25 @@ pub const PATCHES: [Item; 18] = [
     coupled(
         "Hertz: form",
         BOTH,
-        round!("coupling::coulomb special::log_part coupling::batch::ways"),
+        round!("coupling::coulomb special::log_part special::log_quotient coupling::batch::ways"),
         "coulomb::CoulombHertz",
     ),
     coupled(
         "punch: form",
         NARROW,
-        round!("coupling::coulomb special::log_part coupling::batch::ways"),
+        round!("coupling::coulomb special::log_part special::log_quotient coupling::batch::ways"),
         "coulomb::CoulombPunch",
     ),
     coupled(
         "ring: form",
         NARROW,
-        round!("coupling::coulomb special::log_part coupling::batch::ways"),
+        round!("coupling::coulomb special::log_part special::log_quotient coupling::batch::ways"),
         "coulomb::CoulombRing",
     ),
     coupled(
         "annulus: form",
         NARROW,
-        round!("coupling::annulus coupling::coulomb special::log_part coupling::batch::ways"),
+        round!("coupling::annulus coupling::coulomb special::log_part special::log_quotient coupling::batch::ways"),
         "Annulus::new(coulomb::CoulombDisk, 0.5 as R).ok()?",
     ),
     coupled(
