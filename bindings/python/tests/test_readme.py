@@ -87,8 +87,7 @@ def test_errors_of_tiers_are_those_of_the_readme(readme: str, table_of_the_disk)
     slide, force, torque = table_of_the_disk
     twists = np.stack((slide, 0.0 * slide, np.ones_like(slide)), axis=-1)
     bounds = {
-        "table": float(told["**table**, f64"].split()[0]) * np.finfo(float).eps,
-        "compact": float(told["**compact**, f64 (no table)"]),
+        "exact": float(told["**form**, f64"].split()[0]) * np.finfo(float).eps,
         "quadrature": float(told["**quadrature**, f64 (any local law)"]),
     }
     for tier, bound in bounds.items():
