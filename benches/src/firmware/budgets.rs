@@ -30,7 +30,7 @@ pub const BUDGETS: [Budget; 6] = [
         1200,
         None,
     ),
-    budget(["patch", "square, exact: Coulomb"], 1250, None),
+    budget(["patch", "square, exact: Coulomb"], 1100, None),
     budget(["motion", "slider: Verlet step"], 2500, None),
     budget(["motion", "slider: a given time"], 2500, None),
 ];
