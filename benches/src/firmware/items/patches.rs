@@ -68,7 +68,9 @@ pub const PATCHES: [Item; 18] = [
     coupled(
         "annulus: form",
         NARROW,
-        round!("coupling::annulus coupling::coulomb special::log_part special::log_quotient coupling::batch::ways"),
+        round!(
+            "coupling::annulus coupling::coulomb special::log_part special::log_quotient coupling::batch::ways"
+        ),
         "Annulus::new(coulomb::CoulombDisk, 0.5 as R).ok()?",
     ),
     coupled(
