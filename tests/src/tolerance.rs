@@ -24,7 +24,7 @@ bounds! {
     /// Time, path length and angle of a body on a path, each relative to itself.
     MINOR_MOTION = 2e-12, "promised for journeys; errors of steps, each at most 1e-13, add up";
     /// Fitted form of the disk and its table of α = 0, ulp.
-    COULOMB_ULPS = 6.0, "promised in coupling::coulomb; Horner scheme, torque from force and slope";
+    COULOMB_ULPS = 6.0, "one speed is 1 here; 4 and 12 are promised of force and torque at any: torque from force and slope";
     /// Tables of −0.75 ≤ α ≤ 10, relative.
     TABLE = 1.5e-15, "7 ulp: speed power, Horner scheme, weights";
     /// Tables of α < −0.75, relative.
@@ -41,11 +41,11 @@ bounds! {
     QUADRATURE_JACOBIAN = 2e-6, "1e-5 is promised; logarithmic derivative near equal speeds";
 
     /// Polygons up to 10 times as long as wide, uniform pressure: of μN and μN (R + |centre|).
-    POLYGON = 3e-15, "promised in coupling::flat; opposite edges cancel: 1.9e-15 at 10:1 among 17,500 twists, 7e-16 for other shapes";
+    POLYGON = 3e-15, "6e-15 is promised, for wedges; opposite edges cancel: 1.9e-15 at 10:1 among 17,500 twists, 7e-16 for other shapes";
     /// Their Jacobian, of its largest entry.
     POLYGON_JACOBIAN = 4e-14, "promised in coupling::flat; next to an edge its slope is the logarithm of the distance: 3.1e-14 at 10:1 among 17,500 twists";
     /// The same under linear pressure.
-    POLYGON_LINEAR = 4e-15, "promised in coupling::flat; long edges cancel: 3.0e-15 at 10:1, 1.1e-15 for other shapes";
+    POLYGON_LINEAR = 4e-15, "8e-15 is promised, for wedges; long edges cancel: 3.0e-15 at 10:1, 1.1e-15 for other shapes";
     /// Their Jacobian, of its largest entry.
     POLYGON_LINEAR_JACOBIAN = 5e-14, "promised in coupling::flat; next to an edge its slope is the logarithm of the distance: 3.0e-14 at 10:1";
     /// Bars and points: of μN and μN (R + |centre|).
