@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-pub(crate) use sealed::{InEach, STEPS};
+pub(crate) use sealed::{InEach, STEPS, Sealed};
 
 mod sealed {
     /// Cells of m, each about a multiple of 1/32; one begins a 64th below 1.
@@ -54,11 +54,6 @@ mod sealed {
         /// *Domain*: positive normal numbers; k ends at ±[`Sealed::MOST_OCTAVES`].
         fn octaves_above(self, other: Self) -> i32;
 
-        /// k and 2ᵏ for the whole number k whose 2ᵏ is nearest to `self`, by a factor of 1.5 at most.
-        ///
-        /// *Domain*: positive normal numbers.
-        fn octave(self) -> [Self; 2];
-
         /// 2ᵏ, exact. *Domain*: |k| ≤ [`Sealed::MOST_OCTAVES`].
         fn power_of_two(k: i32) -> Self;
 
@@ -97,15 +92,6 @@ mod sealed {
                 } else {
                     octaves as i32
                 }
-            }
-            #[inline(always)]
-            fn octave(self) -> [Self; 2] {
-                const BIAS: i32 = <$real>::MAX_EXP - 1;
-                let exponent = self.to_bits().wrapping_add(1 << ($mantissa - 1)) >> $mantissa;
-                [
-                    (exponent as i32).wrapping_sub(BIAS) as $real,
-                    Self::from_bits(exponent << $mantissa),
-                ]
             }
             #[inline]
             fn power_of_two(k: i32) -> Self {

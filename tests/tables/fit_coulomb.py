@@ -1,13 +1,13 @@
 """Writes ../../core/src/coupling/coulomb/terms.rs: Coulomb friction of round patches in jointly fitted forms.
 
-With x the square of the smaller over the larger speed, z = 1 - x and q the order of the pressure, F/v of a dry patch
-at larger speed 1 and its slope F' = d(F/v)/dx are
+With x the square of the smaller over the larger speed, z = 1 - x, q the order of the pressure and k = floor(q), F/v of a
+dry patch at larger speed 1, its torque over the rim's speed T/w and the slope d(F/v)/dx are
 
-    P(z) + z^(q+2) ln z Q(z) and R(z) + z^(q+1) ln z S(z)          for whole q
-    P(u^2) + u Q(u^2)        and R(u^2) + u S(u^2), u = sqrt(z) - 1/2      for half q
+    P(u) + z^(k+2) l Q(u) for F/v and T/w, P(u) + z^(k+1) l Q(u) for the slope, u = z - 1/2
 
-Both parts are fitted together, so that their sum counts and not each alone: least squares of the relative error with
-Lawson's weights, which lead towards the least largest error. python3 -m pip install mpmath; takes a minute.
+with l = ln z for whole q, sqrt(z) - 1 for half q. Both parts are fitted together, so that their sum counts and not each
+alone: least squares of the relative error with Lawson's weights, which lead towards the least largest error.
+python3 -m pip install mpmath; takes a few minutes.
 """
 
 import struct
@@ -19,19 +19,21 @@ mp.mp.dps = 40
 HALF = mp.mpf(1) / 2
 ROUNDS = 8
 PRESSURES = {"RING": -1, "PUNCH": -HALF, "DISK": 0, "HERTZ": HALF, "PARABOLOID": 1}
-SIZES = {"F32": ("f32", 6), "F64": ("f64", 12)}
+# Terms of force and torque, and of force and slope.
+SIZES = {"F32": ("f32", 6, 6), "F64": ("f64", 11, 12)}
 # For the first step of a search along the disk's curve.
-ROUGH = {"ROUGH": ("f64", 6)}
+ROUGH = {"ROUGH": ("f64", 0, 6)}
 POWERS = 6
 
 
 def spinning(q):
-    """F/v and its slope where spinning leads, as functions of x."""
-    scale = mp.gamma(q + 2) * mp.gamma(3 * HALF) / mp.gamma(q + 5 * HALF) * (q + 3 * HALF)
-    slope = -scale * (HALF + q) / 4
+    """F/v, T/w and the slope of the first where spinning leads, as functions of x."""
+    torque = mp.gamma(q + 2) * mp.gamma(3 * HALF) / mp.gamma(q + 5 * HALF)
+    force = torque * (q + 3 * HALF)
     return (
-        lambda x: scale * mp.hyp2f1(HALF, -HALF - q, 2, x),
-        lambda x: slope * mp.hyp2f1(3 * HALF, HALF - q, 3, x),
+        lambda x: force * mp.hyp2f1(HALF, -HALF - q, 2, x),
+        lambda x: torque * mp.hyp2f1(HALF, -3 * HALF - q, 1, x),
+        lambda x: -force * (HALF + q) / 4 * mp.hyp2f1(3 * HALF, HALF - q, 3, x),
     )
 
 
@@ -39,18 +41,17 @@ def sliding(q):
     """The same where sliding leads."""
     return (
         lambda x: mp.hyp2f1(HALF, -HALF, q + 2, x),
+        lambda x: mp.hyp2f1(HALF, HALF, q + 3, x) / (2 * (q + 2)),
         lambda x: -mp.hyp2f1(3 * HALF, HALF, q + 3, x) / (4 * (q + 2)),
     )
 
 
 def basis(q, power, terms, t):
     """z and the values of all terms at t in (0, 1)."""
-    if q == int(q):
-        z = t ** (3 * HALF)
-        singular = z**power * mp.log(z)
-        return z, [z**k for k in range(terms)] + [singular * z**k for k in range(terms)]
-    u = t - HALF
-    return t * t, [u ** (2 * k) for k in range(terms)] + [u ** (2 * k + 1) for k in range(terms)]
+    z, hook = (t ** (3 * HALF), mp.log) if q == int(q) else (t * t, lambda z: mp.sqrt(z) - 1)
+    singular = z**power * hook(z)
+    powers = [(z - HALF) ** k for k in range(terms)]
+    return z, powers + [singular * entry for entry in powers]
 
 
 def fitted(f, q, power, terms):
@@ -79,29 +80,23 @@ def fitted(f, q, power, terms):
     return worst, found[:terms], found[terms:]
 
 
-def both(functions, q, terms):
-    """The largest error and rows of P, Q, R and S."""
-    near = q if q != -1 else q + mp.mpf("1e-36")
-    errors, columns = [], []
-    for power, f in zip((q + 2, q + 1), functions(near)):
-        error, regular, singular = fitted(f, q, power, terms)
-        errors.append(error)
-        columns += [regular, singular]
-    return errors, list(zip(*columns))
+def interpolated(f, terms):
+    """The terms of a polynomial of degree 2 at most, and no singular part."""
+    low, middle, high = f(mp.mpf(1)), f(HALF), f(mp.mpf(0))
+    regular = [middle, high - low, 2 * (high + low - 2 * middle)]
+    return 0, regular + [0] * (terms - 3), [0] * terms
 
 
-def elementary(q, terms):
-    """Rows where spinning leads and the force is a polynomial in z = u^2 + u + 1/4, of degree 0 or 1."""
-    at_end, _ = spinning(q)
-    constant, linear = at_end(mp.mpf(1)), at_end(mp.mpf(0)) - at_end(mp.mpf(1))
-    rows = [[constant + linear / 4, linear, -linear, 0], [linear, 0, 0, 0]]
-    return [0, 0], rows + [[0] * 4] * (terms - 2)
+def two(functions, q, powers, terms, elementary):
+    """The largest errors of two functions, and rows of their regular and their singular parts."""
+    fits = [interpolated(f, terms) if elementary else fitted(f, q, power, terms) for f, power in zip(functions, powers)]
+    errors, regular, singular = zip(*fits)
+    return errors, list(zip(*regular, *singular))
 
 
 def powers():
     """Polynomials in x with the values of the disk's functions at the points of Chebyshev: right to 1e-5."""
-    force, _ = sliding(0)
-    torque = lambda x: mp.hyp2f1(HALF, HALF, 3, x) / 4
+    force, torque, _ = sliding(0)
     points = [(1 - mp.cos(mp.pi * (k + HALF) / POWERS)) / 2 for k in range(POWERS)]
     matrix = mp.matrix([[x**k for k in range(POWERS)] for x in points])
     return [list(mp.lu_solve(matrix, mp.matrix([f(x) for x in points]))) for f in (torque, force)]
@@ -130,18 +125,26 @@ def main(out):
             sides = {"": sliding}
         sizes = SIZES | (ROUGH if q == 0 else {})
         for side, functions in sides.items():
-            for size, (precision, terms) in sizes.items():
-                if q in (-HALF, HALF) and side == "SPINNING":
-                    errors, rows = elementary(q, terms)
-                else:
-                    errors, rows = both(functions, q, terms)
-                label = "_".join(part for part in (name, side, size) if part)
-                out.write(f"\n/// Largest relative errors of force and slope: {', '.join(mp.nstr(e, 2) for e in errors)}.\n")
-                out.write(f"pub(super) static {label}: [[{precision}; 4]; {terms}] = [\n")
-                for row in rows:
-                    out.write(f"    [{', '.join(written(term, precision == 'f32') for term in row)}],\n")
-                out.write("];\n")
-                print(label, *(mp.nstr(e, 3) for e in errors), file=sys.stderr)
+            force, torque, slope = functions(q if q != -1 else q + mp.mpf("1e-36"))
+            elementary = q in (-HALF, HALF) and side == "SPINNING"
+            least = int(mp.floor(q))
+            for size, (precision, few, many) in sizes.items():
+                tables = (
+                    ("TORQUE", few, (force, torque), (least + 2, least + 2)),
+                    ("SLOPE", many, (force, slope), (least + 2, least + 1)),
+                )
+                for second, terms, pair, powers_of_z in tables:
+                    if terms == 0:
+                        continue
+                    errors, rows = two(pair, q, powers_of_z, terms, elementary)
+                    label = "_".join(part for part in (name, side, second, size) if part)
+                    shown = ", ".join(mp.nstr(error, 2) for error in errors)
+                    out.write(f"\n/// Largest relative errors of force and {second.lower()}: {shown}.\n")
+                    out.write(f"pub(super) static {label}: [[{precision}; 4]; {terms}] = [\n")
+                    for row in rows:
+                        out.write(f"    [{', '.join(written(term, precision == 'f32') for term in row)}],\n")
+                    out.write("];\n")
+                    print(label, shown, *(mp.nstr(sum(abs(r[i]) / 2**k for k, r in enumerate(rows)), 3) for i in range(4)), file=sys.stderr)
         if q == 0:
             out.write("\n/// Torque/h where sliding leads and force/h where spinning does, by powers of x.\n")
             out.write(f"pub(super) static {name}_POWERS: [[f64; {POWERS}]; 2] = [\n")

@@ -168,7 +168,7 @@ mod side_by_side {
     use super::{FOUR, Numbers, Summed};
     use crate::lanes::even_and_odd;
     use core::ops::{Add, Mul};
-    use wide::{bytemuck, f32x4, f32x8, f64x4, u32x4, u32x8, u64x4};
+    use wide::{bytemuck, f32x4, f32x8, f64x4, f64x8, u32x4, u32x8, u64x4, u64x8};
 
     macro_rules! side_by_side {
         ($lanes:ty, $real:ident, $count:literal, $integers:ty) => {
@@ -227,6 +227,7 @@ mod side_by_side {
         };
     }
     side_by_side!(f64x4, f64, 4, u64x4);
+    side_by_side!(f64x8, f64, 8, u64x8);
     side_by_side!(f32x4, f32, 4, u32x4);
     side_by_side!(f32x8, f32, 8, u32x8);
 

@@ -3,7 +3,7 @@
 use super::{Group, Lanes, Numbers, Summed, even_and_odd};
 use core::fmt::Debug;
 use core::ops::{BitAnd, BitOr};
-use wide::{bytemuck, f32x4, f32x8, f64x2, f64x4, f64x8, u32x8, u64x8};
+use wide::{bytemuck, f32x4, f32x8, f64x2, f64x4, f64x8};
 
 /// A precision whose numbers go in lanes.
 pub trait Laned: Sized {
@@ -60,21 +60,20 @@ impl Laned for f32 {
 }
 
 /// Eight numbers, or a mask of ones or zeros for each.
-pub trait Eight: Lanes<Mask = Self> + Debug + BitAnd<Output = Self> + BitOr<Output = Self> {
-    /// A lane.
-    type Real;
-
-    fn new(numbers: Group<Self::Real>) -> Self;
-    /// The same number in every lane.
-    fn repeat(number: Self::Real) -> Self;
-    fn to_array(self) -> Group<Self::Real>;
+pub trait Eight:
+    Numbers<Mask = Self, Array = Group<<Self as Numbers>::Real>>
+    + Debug
+    + BitAnd<Output = Self>
+    + BitOr<Output = Self>
+{
     fn equal(self, other: Self) -> Self;
     /// The mask, a bit a lane.
     fn bits(self) -> u32;
-    /// k and 2ᵏ for the 2ᵏ nearest to each positive normal number.
-    fn octave(self) -> [Self; 2];
     /// The sum of aₙ uⁿ and that of bₙ uⁿ, of the pairs (aₙ, bₙ) that each lane has.
-    fn sums<const TERMS: usize>(pairs: Group<&[[Self::Real; 2]; TERMS]>, u: Self) -> [Self; 2];
+    fn sums<const TERMS: usize>(
+        pairs: Group<&[[<Self as Numbers>::Real; 2]; TERMS]>,
+        u: Self,
+    ) -> [Self; 2];
 
     #[inline(always)]
     fn above(self, other: Self) -> Self {
@@ -156,22 +155,8 @@ lanes!(f64x8, |value| f64x8::splat(f64::from(value)), |mask| {
 });
 
 macro_rules! eight {
-    ($lanes:ty, $real:ty, $sums:path, $bits:ty, $mantissa:expr) => {
+    ($lanes:ty, $real:ty, $sums:path) => {
         impl Eight for $lanes {
-            type Real = $real;
-
-            #[inline(always)]
-            fn new(numbers: Group<$real>) -> Self {
-                <$lanes>::new(numbers)
-            }
-            #[inline(always)]
-            fn repeat(number: $real) -> Self {
-                <$lanes>::splat(number)
-            }
-            #[inline(always)]
-            fn to_array(self) -> Group<$real> {
-                self.to_array()
-            }
             #[inline(always)]
             fn equal(self, other: Self) -> Self {
                 self.simd_eq(other)
@@ -181,28 +166,14 @@ macro_rules! eight {
                 self.to_bitmask()
             }
             #[inline(always)]
-            fn octave(self) -> [Self; 2] {
-                const BIAS: $real = (<$real>::MAX_EXP - 1) as $real;
-                // The last digit of this number is 1: whole numbers below it are read off its last bits.
-                const WHOLE: $real = ((1_u64) << $mantissa) as $real;
-                let bits: $bits = bytemuck::cast(self);
-                let exponent = (bits + <$bits>::splat(1 << ($mantissa - 1))) >> $mantissa;
-                let whole: Self =
-                    bytemuck::cast(exponent | bytemuck::cast::<Self, $bits>(Self::splat(WHOLE)));
-                [
-                    whole - Self::splat(WHOLE + BIAS),
-                    bytemuck::cast(exponent << $mantissa),
-                ]
-            }
-            #[inline(always)]
             fn sums<const TERMS: usize>(pairs: Group<&[[$real; 2]; TERMS]>, u: Self) -> [Self; 2] {
                 $sums(pairs, u)
             }
         }
     };
 }
-eight!(f64x8, f64, double_sums, u64x8, 52);
-eight!(f32x8, f32, single_sums, u32x8, 23);
+eight!(f64x8, f64, double_sums);
+eight!(f32x8, f32, single_sums);
 
 /// Both functions of a contact lie next to each other, and those of the next contact beside them: a
 /// coefficient is loaded, not gathered.

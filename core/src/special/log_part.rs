@@ -16,9 +16,3 @@ where
     let f = (z - nearest) / (z + nearest);
     octaves * repeat(R::from_f64(core::f64::consts::LN_2)) + f * twice_atanh(f * f, repeat)
 }
-
-/// ln z. *Domain*: positive normal numbers; NaN for NaN.
-#[inline(always)]
-pub(crate) fn ln_part<R: Real>(z: R) -> R {
-    log_part(z, z.octave(), |constant| constant)
-}

@@ -9,5 +9,5 @@ pub(crate) mod triangle;
 
 pub use elliptic::CompleteElliptic;
 pub use hypergeometric::{Gauss, Jet};
-pub(crate) use log_part::{ln_part, log_part};
+pub(crate) use log_part::log_part;
 pub(crate) use log_quotient::log_quotient;

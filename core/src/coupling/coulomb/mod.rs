@@ -8,127 +8,44 @@
 //! | [`CoulombHertz`] | √(1−r²) |
 //! | [`CoulombParaboloid`] | 1 − r² |
 //!
-//! With z = 1 − h² from 0 (equal speeds) to 1 (one motion alone) and q the order of the pressure, Φ has the
-//! singular part z^(q+2), times ln z for whole q. Polynomials P, Q, R, S in
+//! With z = 1 − h² from 0 (equal speeds) to 1 (one motion alone), q the order of the pressure and k = ⌊q⌋, Φ and Χ = T/w
+//! have the singular part z^(k+2) ln z, or z^(k+2) √z for half q, and Φ' one power less. Polynomials P and Q of z − 1/2 in
 //!
 //! ```text
-//! Φ = P(z) + z^(q+2) ln z Q(z),      Φ' = R(z) + z^(q+1) ln z S(z)          whole q
-//! Φ = P(u²) + u Q(u²),               Φ' = R(u²) + u S(u²),   u = √z − 1/2   half q
+//! Φ, Χ = P + z^(k+2) ℓ Q,      Φ' = P + z^(k+1) ℓ Q,      ℓ = ln z for whole q, √z − 1 for half q
 //! ```
 //!
-//! are fitted so that the sums count and not each part: few terms serve the whole range. Torque and Jacobian follow
-//! from Φ and Φ', and nothing cancels anywhere. z comes from the squares of the speeds where those are known.
+//! are fitted so that the sums count and not each part: few terms serve the whole range. ℓ vanishes where one motion is
+//! alone, so that nothing cancels anywhere. The disk has one Φ for both sides, and Θ = Χ where sliding leads:
+//! Χ = Θ + z (Φ/n − Θ) where spinning does. z comes from the squares of the speeds where those are known.
 //!
-//! *Accuracy*: force 4 ulp in f64 (ring 9), torque 12 ulp (paraboloid 20); 7 ulp in f32 (ring 8). Jacobian 3e-15
+//! *Accuracy*: TODO. Jacobian 3e-15
 //! (f32: 6e-6) of the larger of the entry and F/v, also next to equal speeds, where a ring's entries grow without bound. *Cost*: a root, two
-//! divisions and about 120 other operations (f32: 70), for all pressures and speeds.
+//! divisions and about TODO other operations (f32: TODO), for all pressures and speeds.
 
 use super::DryReducedFriction;
-use super::pressure_family::{self, moment};
+use super::pressure_family;
 use super::profile::{PowerLawFriction, SmoothProfile};
 use super::speeds::{DominantSpeed, Speeds};
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, Numbers};
 use crate::patch::PowerPressure;
-use crate::real::{InEach, Real};
-use crate::special::ln_part;
-use core::marker::PhantomData;
+use crate::real::Real;
+use form::{Terms, numbers, order};
 
 mod curve;
+pub(super) mod form;
 #[rustfmt::skip]
 #[expect(clippy::approx_constant, reason = "they are fitted")]
 mod terms;
 
-/// Rows of P, Q, R and S, and where they serve: spinning leads, sliding leads.
-type Sides<R, const TERMS: usize> = [&'static [[R; 4]; TERMS]; 2];
-
-/// A pressure with its fitted terms.
-pub(crate) trait Fitted: Copy {
-    const PRESSURE: PowerPressure;
-    const SINGLE: Sides<f32, 6>;
-    const DOUBLE: Sides<f64, 12>;
-
-    /// One function serves both sides.
-    const IS_ONE_SIDED: bool = Self::PRESSURE.order() == 0.0;
-    /// Twice q + 1, the power of z in the singular part of Φ'.
-    const TWICE_POWER: u32 = (2.0 * Self::PRESSURE.order() + 2.0) as u32;
-    /// q is not whole: powers of √z stand in for the logarithm.
-    const HAS_ROOTS: bool = Self::TWICE_POWER % 2 == 1;
-}
-
-/// P, Q, R and S at their argument, where sliding or spinning leads.
-#[inline(always)]
-pub(crate) fn sums<F: Fitted, R: Real>(slides: bool, argument: R) -> [R; 4] {
-    struct Sums<F>(PhantomData<F>);
-    impl<F: Fitted> InEach for Sums<F> {
-        type Input<R: Real> = (bool, R);
-        type Output<R: Real> = [R; 4];
-        #[inline(always)]
-        fn single((slides, argument): (bool, f32)) -> [f32; 4] {
-            let [spinning, sliding] = F::SINGLE;
-            crate::lanes::Laned::four_sums(if slides { sliding } else { spinning }, argument)
-        }
-        #[inline(always)]
-        fn double((slides, argument): (bool, f64)) -> [f64; 4] {
-            let [spinning, sliding] = F::DOUBLE;
-            crate::lanes::Laned::four_sums(if slides { sliding } else { spinning }, argument)
-        }
-    }
-    R::in_own::<Sums<F>>((slides, argument))
-}
-
-/// Φ and Φ' at z in [0, 1]; a ring's Φ' is infinite at z = 0. NaN for NaN.
-#[inline(always)]
-pub(crate) fn force_and_slope<F: Fitted, R: Real>(slides: bool, z: R) -> [R; 2] {
-    if F::HAS_ROOTS {
-        let u = z.sqrt() - R::HALF;
-        let [p, q, r, s] = sums::<F, R>(slides, u * u);
-        return [p + u * q, r + u * s];
-    }
-    let [p, q, r, s] = sums::<F, R>(slides, z);
-    // Below the least normal number the products count as nothing.
-    let least = R::MIN_POSITIVE;
-    let log = ln_part(if z < least { least } else { z });
-    match F::TWICE_POWER {
-        0 if z == R::ZERO => [p, R::ZERO - s * R::INFINITY],
-        0 => [p + z * log * q, r + log * s],
-        2 => [p + z * (z * log) * q, r + z * log * s],
-        _ => [p + z * z * (z * log) * q, r + z * (z * log) * s],
-    }
-}
-
-/// F/v and T for v² and w.
-#[inline(always)]
-fn drag<F: Fitted, R: Real>(slide_sq: R, rim: R) -> [R; 2] {
-    let rim_sq = rim * rim;
-    // A comparison of its own for each selection: see `Speeds::of_ordinary`.
-    let major = if slide_sq > rim_sq { slide_sq } else { rim_sq };
-    let minor = if slide_sq < rim_sq { slide_sq } else { rim_sq };
-    let per_major = R::ONE / major;
-    let (x, z) = (minor * per_major, (major - minor) * per_major);
-    let slides = slide_sq > rim_sq;
-    let [phi, slope] = force_and_slope::<F, R>(slides, z);
-    let inv_n = R::ONE / moment(R::from_f64(F::PRESSURE.order()), R::ZERO);
-    let z_slope = if z == R::ZERO { R::ZERO } else { z * slope };
-    let theta = inv_n * (R::HALF * phi + z_slope);
-    let turns = if slide_sq > rim_sq {
-        R::ZERO
-    } else {
-        inv_n * z
-    };
-    let part = if slide_sq > rim_sq { R::ONE } else { x };
-    let per_speed = per_major.sqrt();
-    [
-        per_speed * phi,
-        rim * (per_speed * (turns * phi + part * theta)),
-    ]
-}
+pub(crate) use form::Fitted;
 
 macro_rules! fitted {
-    ($form:ident, $pressure:ident, $single:expr, $double:expr) => {
+    ($form:ident, $pressure:ident, $torque:expr, $slope:expr) => {
         impl Fitted for $form {
             const PRESSURE: PowerPressure = PowerPressure::$pressure;
-            const SINGLE: Sides<f32, 6> = $single;
-            const DOUBLE: Sides<f64, 12> = $double;
+            const TORQUE: Terms<6, 11> = $torque;
+            const SLOPE: Terms<6, 12> = $slope;
         }
 
         impl<R: Real> PowerLawFriction<R> for $form {
@@ -138,12 +55,14 @@ macro_rules! fitted {
             }
             #[inline]
             fn factors(&self, at: &Speeds<R>) -> [R; 2] {
-                let [phi, _, chi] = self.factors_and_slope(at);
-                [phi, chi]
+                let slides = at.lead() == DominantSpeed::Sliding;
+                let z = R::Alone::repeat(at.complement());
+                numbers(form::force_and_torque::<Self, R::Alone>(slides, z))
             }
             #[inline]
             fn drag(&self, slide_sq: R, rim: R) -> [R; 2] {
-                drag::<Self, R>(slide_sq, rim)
+                let [slide_sq, rim] = [slide_sq, rim].map(R::Alone::repeat);
+                numbers(form::drag::<Self, R::Alone>(slide_sq, rim))
             }
             fn inertia_excess(&self, at: &Speeds<R>, inertia_ratio: R) -> R {
                 pressure_family::inertia_excess(self, order::<Self, R>(), at, inertia_ratio)
@@ -157,9 +76,9 @@ macro_rules! fitted {
             #[inline]
             fn factors_and_slope(&self, at: &Speeds<R>) -> [R; 3] {
                 let slides = at.lead() == DominantSpeed::Sliding;
-                let force = force_and_slope::<Self, R>(slides, at.complement());
-                let chi = pressure_family::torque_factor(order::<Self, R>(), R::ZERO, at, force);
-                [force[0], force[1], chi]
+                let (x, z) = at.square_and_complement();
+                let [x, z] = [x, z].map(R::Alone::repeat);
+                numbers(form::factors_and_slope::<Self, R::Alone>(slides, [x, z]))
             }
         }
 
@@ -174,7 +93,7 @@ macro_rules! fitted {
                 slides: <R::SideBySide as Lanes>::Mask,
                 ratios: R::SideBySide,
             ) -> [R::SideBySide; 3] {
-                curve::point::<Self, R, R::SideBySide>(slides, ratios)
+                curve::point::<Self, R::SideBySide>(slides, ratios)
             }
             #[inline]
             fn rough_point(&self, lead: DominantSpeed, ratio: R) -> Option<[R; 3]> {
@@ -186,7 +105,7 @@ macro_rules! fitted {
                 slides: <R::SideBySide as Lanes>::Mask,
                 ratios: R::SideBySide,
             ) -> Option<[R::SideBySide; 3]> {
-                curve::rough_point::<Self, R, R::SideBySide>(slides, ratios)
+                curve::rough_point::<Self, R::SideBySide>(slides, ratios)
             }
             #[inline]
             fn minor_powers(&self, lead: DominantSpeed) -> Option<[R; 6]> {
@@ -200,11 +119,6 @@ macro_rules! fitted {
 
         pressure_family::coupled_in_lanes!([R: Real] $form, |_form| order::<Self, R>());
     };
-}
-
-#[inline]
-fn order<F: Fitted, R: Real>() -> R {
-    R::from_f64(F::PRESSURE.order())
 }
 
 /// A thin ring, q = −1.
@@ -291,38 +205,110 @@ pub struct CoulombParaboloid;
 fitted!(
     CoulombRing,
     RING,
-    [&terms::RING_SPINNING_F32, &terms::RING_SLIDING_F32],
-    [&terms::RING_SPINNING_F64, &terms::RING_SLIDING_F64]
+    Terms {
+        single: [
+                &terms::RING_SPINNING_TORQUE_F32,
+                &terms::RING_SLIDING_TORQUE_F32
+            ],
+        double: [
+                &terms::RING_SPINNING_TORQUE_F64,
+                &terms::RING_SLIDING_TORQUE_F64
+            ],
+    },
+    Terms {
+        single: [
+                &terms::RING_SPINNING_SLOPE_F32,
+                &terms::RING_SLIDING_SLOPE_F32
+            ],
+        double: [
+                &terms::RING_SPINNING_SLOPE_F64,
+                &terms::RING_SLIDING_SLOPE_F64
+            ],
+    }
 );
 fitted!(
     CoulombPunch,
     FLAT_PUNCH,
-    [&terms::PUNCH_SPINNING_F32, &terms::PUNCH_SLIDING_F32],
-    [&terms::PUNCH_SPINNING_F64, &terms::PUNCH_SLIDING_F64]
+    Terms {
+        single: [
+                &terms::PUNCH_SPINNING_TORQUE_F32,
+                &terms::PUNCH_SLIDING_TORQUE_F32
+            ],
+        double: [
+                &terms::PUNCH_SPINNING_TORQUE_F64,
+                &terms::PUNCH_SLIDING_TORQUE_F64
+            ],
+    },
+    Terms {
+        single: [
+                &terms::PUNCH_SPINNING_SLOPE_F32,
+                &terms::PUNCH_SLIDING_SLOPE_F32
+            ],
+        double: [
+                &terms::PUNCH_SPINNING_SLOPE_F64,
+                &terms::PUNCH_SLIDING_SLOPE_F64
+            ],
+    }
 );
 fitted!(
     CoulombDisk,
     UNIFORM,
-    [&terms::DISK_F32; 2],
-    [&terms::DISK_F64; 2]
+    Terms {
+        single: [&terms::DISK_TORQUE_F32; 2],
+        double: [&terms::DISK_TORQUE_F64; 2],
+    },
+    Terms {
+        single: [&terms::DISK_SLOPE_F32; 2],
+        double: [&terms::DISK_SLOPE_F64; 2],
+    }
 );
 fitted!(
     CoulombHertz,
     HERTZ,
-    [&terms::HERTZ_SPINNING_F32, &terms::HERTZ_SLIDING_F32],
-    [&terms::HERTZ_SPINNING_F64, &terms::HERTZ_SLIDING_F64]
+    Terms {
+        single: [
+                &terms::HERTZ_SPINNING_TORQUE_F32,
+                &terms::HERTZ_SLIDING_TORQUE_F32
+            ],
+        double: [
+                &terms::HERTZ_SPINNING_TORQUE_F64,
+                &terms::HERTZ_SLIDING_TORQUE_F64
+            ],
+    },
+    Terms {
+        single: [
+                &terms::HERTZ_SPINNING_SLOPE_F32,
+                &terms::HERTZ_SLIDING_SLOPE_F32
+            ],
+        double: [
+                &terms::HERTZ_SPINNING_SLOPE_F64,
+                &terms::HERTZ_SLIDING_SLOPE_F64
+            ],
+    }
 );
 fitted!(
     CoulombParaboloid,
     PARABOLOID,
-    [
-        &terms::PARABOLOID_SPINNING_F32,
-        &terms::PARABOLOID_SLIDING_F32
-    ],
-    [
-        &terms::PARABOLOID_SPINNING_F64,
-        &terms::PARABOLOID_SLIDING_F64
-    ]
+    Terms {
+        single: [
+                &terms::PARABOLOID_SPINNING_TORQUE_F32,
+                &terms::PARABOLOID_SLIDING_TORQUE_F32
+            ],
+        double: [
+                &terms::PARABOLOID_SPINNING_TORQUE_F64,
+                &terms::PARABOLOID_SLIDING_TORQUE_F64
+            ],
+    },
+    Terms {
+        single: [
+                &terms::PARABOLOID_SPINNING_SLOPE_F32,
+                &terms::PARABOLOID_SLIDING_SLOPE_F32
+            ],
+        double: [
+                &terms::PARABOLOID_SPINNING_SLOPE_F64,
+                &terms::PARABOLOID_SLIDING_SLOPE_F64
+            ],
+    }
 );
 
 #[cfg(test)]

@@ -4,33 +4,69 @@ use super::*;
 use crate::coupling::ReducedFriction;
 use core::f64::consts::PI;
 
-/// Φ at equal speeds, from the sum of Gauss' series at 1, and Φ and Φ' where one motion is alone.
-fn ends<F: Fitted>(equal: f64, spinning: [f64; 2]) {
-    let near = |found: f64, known: f64| (found - known).abs() <= 4.0 * f64::EPSILON * known.abs();
+use super::form::{force_and_slope, force_and_torque};
+
+/// Φ at equal speeds, from the sum of Gauss' series at 1, and Φ, Φ' and Χ where one motion is alone.
+fn ends<F: Fitted>(equal: f64, spinning: [f64; 3]) {
+    let near = |found: f64, known: f64| (found - known).abs() <= 2.0 * f64::EPSILON * known.abs();
     let q = F::PRESSURE.order();
+    // By Θ = (Φ/2 + zΦ')/n.
+    let chi_equal = 0.5 * equal / (q + 1.5);
     for slides in [false, true] {
-        let [phi, _] = force_and_slope::<F, f64>(slides, 0.0);
-        assert!(near(phi, equal), "{phi} {equal}");
+        let [phi, chi] = force_and_torque::<F, f64>(slides, 0.0);
+        assert!(
+            near(phi, equal) && near(chi, chi_equal),
+            "{phi} {equal} {chi} {chi_equal}"
+        );
+        let alone = if slides {
+            [1.0, -0.25 / (q + 2.0), 0.5 / (q + 2.0)]
+        } else {
+            spinning
+        };
+        let ([phi, slope], [same, chi]) = (
+            force_and_slope::<F, f64>(slides, 1.0),
+            force_and_torque::<F, f64>(slides, 1.0),
+        );
+        assert!(near(phi, alone[0]) && near(same, alone[0]), "{phi} {same}");
+        assert!(
+            (slope - alone[1]).abs() < 1e-15 && near(chi, alone[2]),
+            "{slope} {chi}"
+        );
     }
-    let [phi, slope] = force_and_slope::<F, f64>(true, 1.0);
-    assert!(
-        near(phi, 1.0) && (slope + 0.25 / (q + 2.0)).abs() < 1e-15,
-        "{phi} {slope}"
-    );
-    let [phi, slope] = force_and_slope::<F, f64>(false, 1.0);
-    assert!(
-        near(phi, spinning[0]) && (slope - spinning[1]).abs() < 1e-15,
-        "{phi} {slope}"
-    );
 }
 
 #[test]
 fn forms_end_as_closed_forms_do() {
-    ends::<CoulombRing>(2.0 / PI, [0.5, 0.0625]);
-    ends::<CoulombPunch>(PI / 4.0, [PI / 4.0, 0.0]);
-    ends::<CoulombDisk>(8.0 / (3.0 * PI), [1.0, -0.125]);
-    ends::<CoulombHertz>(9.0 * PI / 32.0, [3.0 * PI / 8.0, -3.0 * PI / 32.0]);
-    ends::<CoulombParaboloid>(128.0 / (45.0 * PI), [4.0 / 3.0, -0.5]);
+    ends::<CoulombRing>(2.0 / PI, [0.5, 0.0625, 1.0]);
+    ends::<CoulombPunch>(PI / 4.0, [PI / 4.0, 0.0, PI / 4.0]);
+    ends::<CoulombDisk>(8.0 / (3.0 * PI), [1.0, -0.125, 2.0 / 3.0]);
+    let hertz = 3.0 * PI / 16.0;
+    ends::<CoulombHertz>(9.0 * PI / 32.0, [2.0 * hertz, -0.5 * hertz, hertz]);
+    ends::<CoulombParaboloid>(128.0 / (45.0 * PI), [4.0 / 3.0, -0.5, 8.0 / 15.0]);
+}
+
+/// The fitted torque is that of force and slope.
+fn torque_belongs_to_slope<F: Fitted>() {
+    for slides in [false, true] {
+        for i in 0..=1000 {
+            let x = f64::from(i) / 1000.0;
+            let [_, chi] = force_and_torque::<F, f64>(slides, 1.0 - x);
+            let [_, _, by_slope] = form::factors_and_slope::<F, f64>(slides, [x, 1.0 - x]);
+            assert!(
+                (chi / by_slope - 1.0).abs() < 3e-15,
+                "{x}: {chi} {by_slope}"
+            );
+        }
+    }
+}
+
+#[test]
+fn torques_are_those_of_the_slopes() {
+    torque_belongs_to_slope::<CoulombRing>();
+    torque_belongs_to_slope::<CoulombPunch>();
+    torque_belongs_to_slope::<CoulombDisk>();
+    torque_belongs_to_slope::<CoulombHertz>();
+    torque_belongs_to_slope::<CoulombParaboloid>();
 }
 
 /// Gauss–Legendre, 3 points: the integral of Φ' over a short way is the difference of Φ.

@@ -3,7 +3,7 @@
 use super::Lanes;
 use super::speeds::are_ordinary;
 use crate::coupling::ReducedFriction;
-use crate::lanes::{Eight, GROUP, Group, Lanes as _};
+use crate::lanes::{Eight as _, GROUP, Group, Lanes as _, Numbers};
 use crate::real::Real;
 use crate::twist::{Twist, WrenchJacobian};
 use nalgebra::Matrix3;
@@ -12,16 +12,16 @@ use nalgebra::Matrix3;
 #[inline(always)]
 fn components<R: Real>(twists: &Group<Twist<R>>) -> [Lanes<R>; 3] {
     [
-        Eight::new(twists.each_ref().map(|twist| twist.velocity.x)),
-        Eight::new(twists.each_ref().map(|twist| twist.velocity.y)),
-        Eight::new(twists.each_ref().map(|twist| twist.spin)),
+        Numbers::new(twists.each_ref().map(|twist| twist.velocity.x)),
+        Numbers::new(twists.each_ref().map(|twist| twist.velocity.y)),
+        Numbers::new(twists.each_ref().map(|twist| twist.spin)),
     ]
 }
 
 /// `size` ≥ 0 with the sign of `sign`.
 #[inline(always)]
 fn signed<R: Real>(size: Lanes<R>, sign: Lanes<R>) -> Lanes<R> {
-    size | (sign & Eight::repeat(-R::ZERO))
+    size | (sign & Numbers::repeat(-R::ZERO))
 }
 
 /// Forces and torques of a patch with the given radius and coefficient × load at the components of
@@ -50,7 +50,7 @@ pub fn patch_wrenches<R: Real, C: ReducedFriction<R>>(
         return None;
     }
     let torque = signed::<R>(splat(strength * radius) * torque, spin);
-    Some([-(drag * x), -(drag * y), -torque].map(Eight::to_array))
+    Some([-(drag * x), -(drag * y), -torque].map(Numbers::to_array))
 }
 
 /// ∂wrench/∂twist.

@@ -1,7 +1,7 @@
 //! Powers of a fixed exponent: look-ups lane by lane, the arithmetic in lanes.
 
 use super::Lanes;
-use crate::lanes::{Eight, GROUP, Lanes as _};
+use crate::lanes::{Eight as _, GROUP, Lanes as _, Numbers};
 use crate::power::{FixedPower, Parts};
 use crate::real::Real;
 
@@ -21,7 +21,7 @@ fn inside<R: Real>(power: &FixedPower<R>, x: Lanes<R>) -> Option<Lanes<R>> {
         cell: [together(|of| of.cell[0]), together(|of| of.cell[1])],
     };
     let terms = power.terms().map(Lanes::<R>::repeat);
-    let found = parts.joined(&terms, Eight::repeat(R::ONE), R::IS_SINGLE);
+    let found = parts.joined(&terms, Numbers::repeat(R::ONE), R::IS_SINGLE);
     Lanes::<R>::all(found.equal(found)).then_some(found)
 }
 
@@ -29,7 +29,7 @@ fn inside<R: Real>(power: &FixedPower<R>, x: Lanes<R>) -> Option<Lanes<R>> {
 #[inline(always)]
 pub fn of<R: Real>(power: &FixedPower<R>, x: Lanes<R>) -> Option<Lanes<R>> {
     if power.alpha() == R::ZERO {
-        return Some(Eight::repeat(R::ONE));
+        return Some(Numbers::repeat(R::ONE));
     }
     inside(power, x)
 }

@@ -10,7 +10,7 @@ use crate::coupling::regime_table::RegimeTables;
 use crate::coupling::round::RoundTable;
 use crate::coupling::table::Table;
 use crate::coupling::{PowerLawFriction, SmoothProfile};
-use crate::lanes::{Eight, Group, Lanes as _};
+use crate::lanes::{Eight as _, Group, Lanes as _, Numbers};
 use crate::real::Real;
 
 /// [`SmoothProfile`] of a group. Nothing where an argument is out of the ordinary.
@@ -36,7 +36,7 @@ fn of_each<R: Real, const TERMS: usize>(
     cells: &Group<&Cell<R, TERMS>>,
     number: impl Fn(&Cell<R, TERMS>) -> R,
 ) -> Lanes<R> {
-    Eight::new(cells.map(number))
+    Numbers::new(cells.map(number))
 }
 
 /// Both functions at `u` from the centers.
@@ -67,14 +67,14 @@ fn value_and_slope<R: Real, const TERMS: usize>(
 impl<R: Real, const CELLS: usize, const TERMS: usize> Disk<R, CELLS, TERMS> {
     #[inline(always)]
     fn cells(&self, z: Lanes<R>) -> Group<&Cell<R, TERMS>> {
-        let z = z.larger(Eight::repeat(self.side.least()));
+        let z = z.larger(Numbers::repeat(self.side.least()));
         z.to_array().map(|z| self.side.cell_from_least(z))
     }
 
     /// True if none is in the cell of z = 0.
     #[inline(always)]
     fn above_end(&self, z: Lanes<R>) -> bool {
-        Lanes::<R>::all(z.at_least(Eight::repeat(self.side.end())))
+        Lanes::<R>::all(z.at_least(Numbers::repeat(self.side.end())))
     }
 
     /// The two functions with those of lanes in the cell of z = 0 from `near`.
@@ -92,7 +92,7 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Disk<R, CELLS, TERMS> {
                 [*first, *second] = near(z);
             }
         }
-        [Eight::new(first), Eight::new(second)]
+        [Numbers::new(first), Numbers::new(second)]
     }
 }
 
@@ -132,7 +132,7 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> LaneProfile<R> for Disk<R,
 
     #[inline(always)]
     fn speed_scales(&self, _: Lanes<R>) -> Option<Lanes<R>> {
-        Some(Eight::repeat(R::ONE))
+        Some(Numbers::repeat(R::ONE))
     }
 
     #[inline(always)]
@@ -195,11 +195,11 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> RegimeTables<R, CELLS, TER
     /// The cells of the side that leads in each lane; none at equal speeds.
     #[inline(always)]
     fn cells_of(&self, at: &LaneSpeeds<R>, z: Lanes<R>) -> Option<Group<&Cell<R, TERMS>>> {
-        if !Lanes::<R>::all(z.above(Eight::repeat(R::ZERO))) {
+        if !Lanes::<R>::all(z.above(Numbers::repeat(R::ZERO))) {
             return None;
         }
         let mut slides = at.leads();
-        let z = z.larger(Eight::repeat(self.sliding.least()));
+        let z = z.larger(Numbers::repeat(self.sliding.least()));
         Some(z.to_array().map(|z| {
             let side = if slides & 1 == 0 {
                 &self.spinning

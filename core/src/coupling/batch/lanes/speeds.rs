@@ -1,7 +1,7 @@
 //! The speeds of a group in units of the larger ones, and what profiles make of them.
 
 use super::{LaneProfile, Lanes};
-use crate::lanes::{Eight, Group, Lanes as _};
+use crate::lanes::{Eight as _, Group, Lanes as _, Numbers};
 use crate::real::Real;
 
 /// [`crate::coupling::Speeds`] of a group.
@@ -19,20 +19,25 @@ impl<R: Real> LaneSpeeds<R> {
     /// v/m
     #[inline(always)]
     pub fn slide(&self) -> Lanes<R> {
-        Lanes::<R>::select(self.slides, Eight::repeat(R::ONE), self.ratio)
+        Lanes::<R>::select(self.slides, Numbers::repeat(R::ONE), self.ratio)
     }
 
     /// w/m
     #[inline(always)]
     pub fn rim(&self) -> Lanes<R> {
-        Lanes::<R>::select(self.slides, self.ratio, Eight::repeat(R::ONE))
+        Lanes::<R>::select(self.slides, self.ratio, Numbers::repeat(R::ONE))
     }
 
-    /// A bit for each lane in which sliding leads, as [`crate::coupling::Speeds::lead`] tells it:
-    /// not where h was rounded to 1.
+    /// A mask: sliding leads, as [`crate::coupling::Speeds::lead`] tells it: not where h was rounded to 1.
+    #[inline(always)]
+    pub fn sliding_leads(&self) -> Lanes<R> {
+        self.slides & Lanes::<R>::repeat(R::ONE).above(self.ratio)
+    }
+
+    /// The same, a bit for each lane.
     #[inline(always)]
     pub fn leads(&self) -> u32 {
-        (self.slides & Lanes::<R>::repeat(R::ONE).above(self.ratio)).bits()
+        self.sliding_leads().bits()
     }
 
     /// z = 1 − h²
@@ -45,7 +50,7 @@ impl<R: Real> LaneSpeeds<R> {
 /// Masks scales with which a product can be formed at once.
 #[inline(always)]
 pub fn are_ordinary<R: Real>(scale: Lanes<R>) -> Lanes<R> {
-    scale.at_least(Eight::repeat(R::MIN_POSITIVE)) & Lanes::<R>::repeat(R::INFINITY).above(scale)
+    scale.at_least(Numbers::repeat(R::MIN_POSITIVE)) & Lanes::<R>::repeat(R::INFINITY).above(scale)
 }
 
 /// F/v and T of ordinary speeds, from v² and w.
@@ -56,7 +61,7 @@ pub fn drags<R: Real, P: LaneProfile<R>>(
     rims: &Group<R>,
 ) -> Option<[Group<R>; 2]> {
     let [slide_sq, rim] = [slide_squares, rims].map(|numbers| Lanes::<R>::new(*numbers));
-    Some(profile.drags(slide_sq, rim)?.map(Eight::to_array))
+    Some(profile.drags(slide_sq, rim)?.map(Numbers::to_array))
 }
 
 /// The same, from v and w.
@@ -76,7 +81,7 @@ pub fn drags_of_speeds<R: Real, P: LaneProfile<R> + ?Sized>(
     let scale = profile.speed_scales(major)?;
     let per_speed = scale * per_major;
     let ordinary = are_ordinary::<R>(scale) & are_ordinary::<R>(per_speed);
-    if !Lanes::<R>::all(scale.equal(Eight::repeat(R::ONE)) | ordinary) {
+    if !Lanes::<R>::all(scale.equal(Numbers::repeat(R::ONE)) | ordinary) {
         return None;
     }
     let [drag, torque] = profile.drags_and_torques(&at)?;
@@ -102,7 +107,7 @@ fn divided<R: Real>(slides: &Group<R>, rims: &Group<R>) -> Option<SpeedRatios<R>
         return None;
     }
     let ratio = minor / major;
-    let square_is_normal = (ratio * ratio).at_least(Eight::repeat(R::MIN_POSITIVE));
+    let square_is_normal = (ratio * ratio).at_least(Numbers::repeat(R::MIN_POSITIVE));
     Some(SpeedRatios {
         at: LaneSpeeds {
             slides: slide.above(rim),
@@ -127,12 +132,13 @@ pub fn wrenches<R: Real, P: LaneProfile<R>>(
         resolved,
     } = divided(slides, rims)?;
     let scale = profile.speed_scales(major)?;
-    let may_be_scaled = scale.equal(Eight::repeat(R::ONE)) | (are_ordinary::<R>(scale) & resolved);
+    let may_be_scaled =
+        scale.equal(Numbers::repeat(R::ONE)) | (are_ordinary::<R>(scale) & resolved);
     if !Lanes::<R>::all(may_be_scaled) {
         return None;
     }
     let [drag, torque] = profile.drags_and_torques(&at)?;
-    Some([scale * (at.slide() * drag), scale * torque].map(Eight::to_array))
+    Some([scale * (at.slide() * drag), scale * torque].map(Numbers::to_array))
 }
 
 /// F/v, ∂F/∂v, ∂F/∂w and ∂T/∂w.
