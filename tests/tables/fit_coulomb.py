@@ -1,11 +1,12 @@
 """Writes ../../core/src/coupling/coulomb/terms.rs: Coulomb friction of round patches in jointly fitted forms.
 
-With x the square of the smaller over the larger speed, z = 1 - x, q the order of the pressure and k = floor(q), F/v of a
-dry patch at larger speed 1, its torque over the rim's speed T/w and the slope d(F/v)/dx are
+With x the square of the smaller over the larger speed, z = 1 - x and q the order of the pressure, F/v of a dry patch at
+larger speed 1, its torque over the rim's speed T/w and the slope d(F/v)/dx are
 
-    P(u) + z^(k+2) l Q(u) for F/v and T/w, P(u) + z^(k+1) l Q(u) for the slope, u = z - 1/2
+    P(u) + z^(q+2) ln z Q(u) for F/v and T/w, P(u) + z^(q+1) ln z Q(u) for the slope, u = z - 1/2      for whole q
+    P(u^2) + u Q(u^2) for all, u = sqrt(z) - 1/2                                                       for half q
 
-with l = ln z for whole q, sqrt(z) - 1 for half q. Both parts are fitted together, so that their sum counts and not each
+Both parts are fitted together, so that their sum counts and not each
 alone: least squares of the relative error with Lawson's weights, which lead towards the least largest error.
 python3 -m pip install mpmath; takes a few minutes.
 """
@@ -19,10 +20,10 @@ mp.mp.dps = 40
 HALF = mp.mpf(1) / 2
 ROUNDS = 8
 PRESSURES = {"RING": -1, "PUNCH": -HALF, "DISK": 0, "HERTZ": HALF, "PARABOLOID": 1}
-# Terms of force and torque, and of force and slope.
-SIZES = {"F32": ("f32", 6, 6), "F64": ("f64", 11, 12)}
+# Terms of force and torque for whole and for half q, and of force and slope.
+SIZES = {"F32": ("f32", 6, 6, 6), "F64": ("f64", 11, 12, 12)}
 # For the first step of a search along the disk's curve.
-ROUGH = {"ROUGH": ("f64", 0, 6)}
+ROUGH = {"ROUGH": ("f64", 0, 0, 6)}
 POWERS = 6
 
 
@@ -48,10 +49,13 @@ def sliding(q):
 
 def basis(q, power, terms, t):
     """z and the values of all terms at t in (0, 1)."""
-    z, hook = (t ** (3 * HALF), mp.log) if q == int(q) else (t * t, lambda z: mp.sqrt(z) - 1)
-    singular = z**power * hook(z)
-    powers = [(z - HALF) ** k for k in range(terms)]
-    return z, powers + [singular * entry for entry in powers]
+    if q == int(q):
+        z = t ** (3 * HALF)
+        singular = z**power * mp.log(z)
+        powers = [(z - HALF) ** k for k in range(terms)]
+        return z, powers + [singular * entry for entry in powers]
+    u = t - HALF
+    return t * t, [u ** (2 * k) for k in range(terms)] + [u ** (2 * k + 1) for k in range(terms)]
 
 
 def fitted(f, q, power, terms):
@@ -81,10 +85,12 @@ def fitted(f, q, power, terms):
 
 
 def interpolated(f, terms):
-    """The terms of a polynomial of degree 2 at most, and no singular part."""
+    """The same of a polynomial in z = (u + 1/2)^2 of degree 2 at most."""
     low, middle, high = f(mp.mpf(1)), f(HALF), f(mp.mpf(0))
-    regular = [middle, high - low, 2 * (high + low - 2 * middle)]
-    return 0, regular + [0] * (terms - 3), [0] * terms
+    a, b, c = low, 4 * middle - high - 3 * low, 2 * (high + low - 2 * middle)
+    regular = [a + b / 4 + c / 16, b + 3 * c / 2, c]
+    singular = [b + c / 2, 2 * c]
+    return 0, regular + [0] * (terms - 3), singular + [0] * (terms - 2)
 
 
 def two(functions, q, powers, terms, elementary):
@@ -127,11 +133,10 @@ def main(out):
         for side, functions in sides.items():
             force, torque, slope = functions(q if q != -1 else q + mp.mpf("1e-36"))
             elementary = q in (-HALF, HALF) and side == "SPINNING"
-            least = int(mp.floor(q))
-            for size, (precision, few, many) in sizes.items():
+            for size, (precision, whole, half, many) in sizes.items():
                 tables = (
-                    ("TORQUE", few, (force, torque), (least + 2, least + 2)),
-                    ("SLOPE", many, (force, slope), (least + 2, least + 1)),
+                    ("TORQUE", whole if q == int(q) else half, (force, torque), (q + 2, q + 2)),
+                    ("SLOPE", many, (force, slope), (q + 2, q + 1)),
                 )
                 for second, terms, pair, powers_of_z in tables:
                     if terms == 0:

@@ -20,14 +20,15 @@ pub(crate) struct Terms<const SINGLE: usize, const DOUBLE: usize> {
 /// A pressure with its fitted terms.
 pub(crate) trait Fitted: Copy {
     const PRESSURE: PowerPressure;
-    /// Φ and, where sliding leads or the sides have terms of their own, T/w.
-    const TORQUE: Terms<6, 11>;
     /// Φ and Φ'.
     const SLOPE: Terms<6, 12>;
 
+    /// Sums of Φ and Χ, or Θ where one function serves both sides.
+    fn torque_sums<L: Numbers<Real: Real>>(slides: L::Mask, argument: L) -> [L; 4];
+
     /// One function serves both sides.
     const IS_ONE_SIDED: bool = Self::PRESSURE.order() == 0.0;
-    /// q is not whole: √z − 1 stands in for the logarithm.
+    /// q is not whole: powers of √z stand in for the logarithm.
     const HAS_ROOTS: bool = Self::PRESSURE.order() % 1.0 != 0.0;
     /// k + 1, the power of z in the singular part of Φ'.
     const SLOPE_POWER: u32 = (Self::PRESSURE.order() + 1.0) as u32;
@@ -69,7 +70,7 @@ impl<const SINGLE: usize, const DOUBLE: usize> Terms<SINGLE, DOUBLE> {
 
     /// The four sums. Numbers side by side that share their terms are computed together, else each with its own.
     #[inline(always)]
-    fn sums<F: Fitted, L: Numbers<Real: Real>>(self, slides: L::Mask, u: L) -> [L; 4] {
+    pub(super) fn sums<F: Fitted, L: Numbers<Real: Real>>(self, slides: L::Mask, u: L) -> [L; 4] {
         let arguments = u.to_array();
         if F::IS_ONE_SIDED && arguments.as_ref().len() > 1 {
             return if L::Real::IS_SINGLE {
@@ -98,37 +99,30 @@ fn abreast<L: Numbers, const TERMS: usize>(term: impl Fn(usize, usize) -> f64, u
     [sum(0), sum(1), sum(2), sum(3)]
 }
 
-/// The argument of the sums.
+/// Argument of the sums, and what multiplies the singular parts of Φ and Χ, and that of Φ'.
 #[inline(always)]
-fn centered<L: Numbers>(z: L) -> L {
-    z - L::splat(0.5)
-}
-
-/// ln z for whole q, else √z − 1. Below the least normal number the products count as nothing.
-#[inline(always)]
-fn bend<F: Fitted, L: Numbers<Real: Real>>(z: L) -> L {
+fn argument_and_hooks<F: Fitted, L: Numbers<Real: Real>>(z: L) -> [L; 3] {
+    let half = L::splat(0.5);
     if F::HAS_ROOTS {
-        return z.sqrt() - L::splat(1.0);
+        let u = z.sqrt() - half;
+        return [u * u, u, u];
     }
+    // Below the least normal number the products count as nothing.
     let positive = L::repeat(L::Real::MIN_POSITIVE).larger(z);
-    log_part(positive, positive.octaves(), L::repeat)
-}
-
-/// `bend` z^(k+1).
-#[inline(always)]
-fn slope_hook<F: Fitted, L: Numbers>(z: L, bend: L) -> L {
-    match F::SLOPE_POWER {
-        0 => bend,
-        1 => z * bend,
-        _ => z * (z * bend),
-    }
+    let log = log_part(positive, positive.octaves(), L::repeat);
+    let hook = match F::SLOPE_POWER {
+        0 => log,
+        1 => z * log,
+        _ => z * (z * log),
+    };
+    [z - half, z * hook, hook]
 }
 
 /// Φ and Χ = T/w at z; sliding leads where `slides`.
 #[inline(always)]
 pub(crate) fn force_and_torque<F: Fitted, L: Numbers<Real: Real>>(slides: L::Mask, z: L) -> [L; 2] {
-    let hook = z * slope_hook::<F, L>(z, bend::<F, L>(z));
-    let [p, of_torque, q, q_of_torque] = F::TORQUE.sums::<F, L>(slides, centered(z));
+    let [argument, hook, _] = argument_and_hooks::<F, L>(z);
+    let [p, of_torque, q, q_of_torque] = F::torque_sums(slides, argument);
     let [phi, chi] = [p + hook * q, of_torque + hook * q_of_torque];
     if F::IS_ONE_SIDED {
         // Χ = Θ where sliding leads, Θ + z (Φ/n − Θ) where spinning does.
@@ -141,22 +135,22 @@ pub(crate) fn force_and_torque<F: Fitted, L: Numbers<Real: Real>>(slides: L::Mas
 /// Φ and Φ' at z in [0, 1]; a ring's Φ' is infinite at z = 0. NaN for NaN.
 #[inline(always)]
 pub(super) fn force_and_slope<F: Fitted, L: Numbers<Real: Real>>(slides: L::Mask, z: L) -> [L; 2] {
-    from_sums::<F, L>(z, F::SLOPE.sums::<F, L>(slides, centered(z)))
+    joined::<F, L>(z, |argument| F::SLOPE.sums::<F, L>(slides, argument))
 }
 
 /// The disk's Φ and Φ' in half of the digits of f64.
 #[inline(always)]
 pub(super) fn rough_force_and_slope<F: Fitted, L: Numbers<Real: Real>>(z: L) -> [L; 2] {
-    from_sums::<F, L>(
-        z,
-        abreast::<L, 6>(|n, sum| DISK_SLOPE_ROUGH[n][sum], centered(z)),
-    )
+    joined::<F, L>(z, |argument| {
+        abreast::<L, 6>(|n, sum| DISK_SLOPE_ROUGH[n][sum], argument)
+    })
 }
 
 #[inline(always)]
-fn from_sums<F: Fitted, L: Numbers<Real: Real>>(z: L, [p, r, q, s]: [L; 4]) -> [L; 2] {
-    let hook = slope_hook::<F, L>(z, bend::<F, L>(z));
-    let (phi, slope) = (p + z * hook * q, r + hook * s);
+fn joined<F: Fitted, L: Numbers<Real: Real>>(z: L, sums: impl Fn(L) -> [L; 4]) -> [L; 2] {
+    let [argument, hook, slope_hook] = argument_and_hooks::<F, L>(z);
+    let [p, r, q, s] = sums(argument);
+    let (phi, slope) = (p + hook * q, r + slope_hook * s);
     if F::HAS_ROOTS || F::SLOPE_POWER > 0 {
         return [phi, slope];
     }
@@ -199,7 +193,8 @@ pub(crate) fn drag<F: Fitted, L: Numbers<Real: Real>>(slide_sq: L, rim: L) -> [L
     let z = (major - minor) * per_major;
     let [phi, chi] = force_and_torque::<F, L>(rim_sq.below(slide_sq), z);
     let per_speed = per_major.sqrt();
-    [per_speed * phi, rim * per_speed * chi]
+    let rim_part = L::select(rim_sq.below(slide_sq), rim * per_speed, L::splat(1.0));
+    [per_speed * phi, rim_part * chi]
 }
 
 /// Numbers that stand alone.

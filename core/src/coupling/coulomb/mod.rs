@@ -8,16 +8,17 @@
 //! | [`CoulombHertz`] | √(1−r²) |
 //! | [`CoulombParaboloid`] | 1 − r² |
 //!
-//! With z = 1 − h² from 0 (equal speeds) to 1 (one motion alone), q the order of the pressure and k = ⌊q⌋, Φ and Χ = T/w
-//! have the singular part z^(k+2) ln z, or z^(k+2) √z for half q, and Φ' one power less. Polynomials P and Q of z − 1/2 in
+//! With z = 1 − h² from 0 (equal speeds) to 1 (one motion alone) and q the order of the pressure, Φ and Χ = T/w have the
+//! singular part z^(q+2), times ln z for whole q, and Φ' one power less. Polynomials P and Q in
 //!
 //! ```text
-//! Φ, Χ = P + z^(k+2) ℓ Q,      Φ' = P + z^(k+1) ℓ Q,      ℓ = ln z for whole q, √z − 1 for half q
+//! Φ, Χ = P(u) + z^(q+2) ln z Q(u),     Φ' = P(u) + z^(q+1) ln z Q(u),     u = z − 1/2          whole q
+//! Φ, Χ, Φ' = P(u²) + u Q(u²),                                             u = √z − 1/2         half q
 //! ```
 //!
-//! are fitted so that the sums count and not each part: few terms serve the whole range. ℓ vanishes where one motion is
-//! alone, so that nothing cancels anywhere. The disk has one Φ for both sides, and Θ = Χ where sliding leads:
-//! Χ = Θ + z (Φ/n − Θ) where spinning does. z comes from the squares of the speeds where those are known.
+//! are fitted so that the sums count and not each part: few terms serve the whole range, and little cancels. The disk has one
+//! Φ for both sides, and Θ = Χ where sliding leads; where spinning does, Χ = Θ + z (Φ/n − Θ). z comes from the squares of
+//! the speeds where those are known.
 //!
 //! *Accuracy*: TODO. Jacobian 3e-15
 //! (f32: 6e-6) of the larger of the entry and F/v, also next to equal speeds, where a ring's entries grow without bound. *Cost*: a root, two
@@ -44,8 +45,11 @@ macro_rules! fitted {
     ($form:ident, $pressure:ident, $torque:expr, $slope:expr) => {
         impl Fitted for $form {
             const PRESSURE: PowerPressure = PowerPressure::$pressure;
-            const TORQUE: Terms<6, 11> = $torque;
             const SLOPE: Terms<6, 12> = $slope;
+            #[inline(always)]
+            fn torque_sums<L: Numbers<Real: Real>>(slides: L::Mask, argument: L) -> [L; 4] {
+                $torque.sums::<Self, L>(slides, argument)
+            }
         }
 
         impl<R: Real> PowerLawFriction<R> for $form {
@@ -207,23 +211,23 @@ fitted!(
     RING,
     Terms {
         single: [
-                &terms::RING_SPINNING_TORQUE_F32,
-                &terms::RING_SLIDING_TORQUE_F32
-            ],
+            &terms::RING_SPINNING_TORQUE_F32,
+            &terms::RING_SLIDING_TORQUE_F32
+        ],
         double: [
-                &terms::RING_SPINNING_TORQUE_F64,
-                &terms::RING_SLIDING_TORQUE_F64
-            ],
+            &terms::RING_SPINNING_TORQUE_F64,
+            &terms::RING_SLIDING_TORQUE_F64
+        ],
     },
     Terms {
         single: [
-                &terms::RING_SPINNING_SLOPE_F32,
-                &terms::RING_SLIDING_SLOPE_F32
-            ],
+            &terms::RING_SPINNING_SLOPE_F32,
+            &terms::RING_SLIDING_SLOPE_F32
+        ],
         double: [
-                &terms::RING_SPINNING_SLOPE_F64,
-                &terms::RING_SLIDING_SLOPE_F64
-            ],
+            &terms::RING_SPINNING_SLOPE_F64,
+            &terms::RING_SLIDING_SLOPE_F64
+        ],
     }
 );
 fitted!(
@@ -231,23 +235,23 @@ fitted!(
     FLAT_PUNCH,
     Terms {
         single: [
-                &terms::PUNCH_SPINNING_TORQUE_F32,
-                &terms::PUNCH_SLIDING_TORQUE_F32
-            ],
+            &terms::PUNCH_SPINNING_TORQUE_F32,
+            &terms::PUNCH_SLIDING_TORQUE_F32
+        ],
         double: [
-                &terms::PUNCH_SPINNING_TORQUE_F64,
-                &terms::PUNCH_SLIDING_TORQUE_F64
-            ],
+            &terms::PUNCH_SPINNING_TORQUE_F64,
+            &terms::PUNCH_SLIDING_TORQUE_F64
+        ],
     },
     Terms {
         single: [
-                &terms::PUNCH_SPINNING_SLOPE_F32,
-                &terms::PUNCH_SLIDING_SLOPE_F32
-            ],
+            &terms::PUNCH_SPINNING_SLOPE_F32,
+            &terms::PUNCH_SLIDING_SLOPE_F32
+        ],
         double: [
-                &terms::PUNCH_SPINNING_SLOPE_F64,
-                &terms::PUNCH_SLIDING_SLOPE_F64
-            ],
+            &terms::PUNCH_SPINNING_SLOPE_F64,
+            &terms::PUNCH_SLIDING_SLOPE_F64
+        ],
     }
 );
 fitted!(
@@ -267,23 +271,23 @@ fitted!(
     HERTZ,
     Terms {
         single: [
-                &terms::HERTZ_SPINNING_TORQUE_F32,
-                &terms::HERTZ_SLIDING_TORQUE_F32
-            ],
+            &terms::HERTZ_SPINNING_TORQUE_F32,
+            &terms::HERTZ_SLIDING_TORQUE_F32
+        ],
         double: [
-                &terms::HERTZ_SPINNING_TORQUE_F64,
-                &terms::HERTZ_SLIDING_TORQUE_F64
-            ],
+            &terms::HERTZ_SPINNING_TORQUE_F64,
+            &terms::HERTZ_SLIDING_TORQUE_F64
+        ],
     },
     Terms {
         single: [
-                &terms::HERTZ_SPINNING_SLOPE_F32,
-                &terms::HERTZ_SLIDING_SLOPE_F32
-            ],
+            &terms::HERTZ_SPINNING_SLOPE_F32,
+            &terms::HERTZ_SLIDING_SLOPE_F32
+        ],
         double: [
-                &terms::HERTZ_SPINNING_SLOPE_F64,
-                &terms::HERTZ_SLIDING_SLOPE_F64
-            ],
+            &terms::HERTZ_SPINNING_SLOPE_F64,
+            &terms::HERTZ_SLIDING_SLOPE_F64
+        ],
     }
 );
 fitted!(
@@ -291,23 +295,23 @@ fitted!(
     PARABOLOID,
     Terms {
         single: [
-                &terms::PARABOLOID_SPINNING_TORQUE_F32,
-                &terms::PARABOLOID_SLIDING_TORQUE_F32
-            ],
+            &terms::PARABOLOID_SPINNING_TORQUE_F32,
+            &terms::PARABOLOID_SLIDING_TORQUE_F32
+        ],
         double: [
-                &terms::PARABOLOID_SPINNING_TORQUE_F64,
-                &terms::PARABOLOID_SLIDING_TORQUE_F64
-            ],
+            &terms::PARABOLOID_SPINNING_TORQUE_F64,
+            &terms::PARABOLOID_SLIDING_TORQUE_F64
+        ],
     },
     Terms {
         single: [
-                &terms::PARABOLOID_SPINNING_SLOPE_F32,
-                &terms::PARABOLOID_SLIDING_SLOPE_F32
-            ],
+            &terms::PARABOLOID_SPINNING_SLOPE_F32,
+            &terms::PARABOLOID_SLIDING_SLOPE_F32
+        ],
         double: [
-                &terms::PARABOLOID_SPINNING_SLOPE_F64,
-                &terms::PARABOLOID_SLIDING_SLOPE_F64
-            ],
+            &terms::PARABOLOID_SPINNING_SLOPE_F64,
+            &terms::PARABOLOID_SLIDING_SLOPE_F64
+        ],
     }
 );
 
