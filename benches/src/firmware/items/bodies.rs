@@ -5,7 +5,7 @@ use super::{BOTH, Code, Item, NARROW, item, round};
 /// Modules of every item built on the disk's Coulomb table.
 macro_rules! on_form {
     ($($more:literal),*) => {
-        round!("coupling::coulomb special::log_part special::log_quotient coupling::batch::ways" $(, $more)*)
+        round!("coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways" $(, $more)*)
     };
 }
 

@@ -17,7 +17,7 @@ macro_rules! impulse {
 macro_rules! exact {
     ($($more:literal),*) => {
         round!(
-            "coupling::coulomb special::log_part special::log_quotient coupling::batch::ways",
+            "coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways",
             "limit_surface limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation",
             "contact contact::block contact::body contact::update contact::coupled",
             "contact::friction contact::modes contact::normal contact::sliding_rolling",

@@ -50,26 +50,26 @@ pub const PATCHES: [Item; 18] = [
     coupled(
         "Hertz: form",
         BOTH,
-        round!("coupling::coulomb special::log_part special::log_quotient coupling::batch::ways"),
+        round!("coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways"),
         "coulomb::CoulombHertz",
     ),
     coupled(
         "punch: form",
         NARROW,
-        round!("coupling::coulomb special::log_part special::log_quotient coupling::batch::ways"),
+        round!("coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways"),
         "coulomb::CoulombPunch",
     ),
     coupled(
         "ring: form",
         NARROW,
-        round!("coupling::coulomb special::log_part special::log_quotient coupling::batch::ways"),
+        round!("coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways"),
         "coulomb::CoulombRing",
     ),
     coupled(
         "annulus: form",
         NARROW,
         round!(
-            "coupling::annulus coupling::coulomb special::log_part special::log_quotient coupling::batch::ways"
+            "coupling::annulus coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways"
         ),
         "Annulus::new(coulomb::CoulombDisk, 0.5 as R).ok()?",
     ),

@@ -20,9 +20,9 @@
 //! Φ for both sides, and Θ = Χ where sliding leads; where spinning does, Χ = Θ + z (Φ/n − Θ). z comes from the squares of
 //! the speeds where those are known.
 //!
-//! *Accuracy*: TODO. Jacobian 3e-15
-//! (f32: 6e-6) of the larger of the entry and F/v, also next to equal speeds, where a ring's entries grow without bound. *Cost*: a root, two
-//! divisions and about TODO other operations (f32: TODO), for all pressures and speeds.
+//! *Accuracy*: force 4 ulp (ring 9), torque 5 ulp (ring and paraboloid 7) in f64; 5 ulp in f32. Jacobian 3e-15 (f32: 6e-6)
+//! of the larger of the entry and F/v, also next to equal speeds, where a ring's entries grow without bound. *Cost*: a root,
+//! two divisions and about 115 other operations (f32: 75), for whole q; two roots and a division for half q.
 
 use super::DryReducedFriction;
 use super::pressure_family;
