@@ -50,19 +50,25 @@ pub const PATCHES: [Item; 18] = [
     coupled(
         "Hertz: form",
         BOTH,
-        round!("coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways"),
+        round!(
+            "coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways"
+        ),
         "coulomb::CoulombHertz",
     ),
     coupled(
         "punch: form",
         NARROW,
-        round!("coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways"),
+        round!(
+            "coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways"
+        ),
         "coulomb::CoulombPunch",
     ),
     coupled(
         "ring: form",
         NARROW,
-        round!("coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways"),
+        round!(
+            "coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways"
+        ),
         "coulomb::CoulombRing",
     ),
     coupled(

@@ -25,7 +25,9 @@ pub const TIERS: [Item; 6] = [
     tier(
         "form: Coulomb",
         BOTH,
-        round!("coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways"),
+        round!(
+            "coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways"
+        ),
         "coulomb::CoulombDisk",
     ),
     item(
