@@ -1,7 +1,7 @@
 //! Flat feet: closed forms, nodes, ellipsoid, convex quartic and sampled hull.
 
 use super::{Finding, Front, Setting};
-use crate::outlines::{Method, Shape, methods, shapes};
+use crate::outlines::{Method, SLOPED, Shape, methods, shapes};
 use crate::picture::{self, PicturePoint};
 use crate::timing::{self, Samples, Task};
 use crate::written::{Sheet, short};
@@ -106,15 +106,21 @@ fn judged(
 ) -> Row {
     let radius = exact.patch().radius();
     let is_exact = method.name.starts_with(EXACT) && !method.name.ends_with("f32");
-    let references = if is_exact {
+    let is_sloped = method.name == SLOPED;
+    let mut references = if is_exact {
         shape.references()
     } else {
         Vec::new()
     };
+    references.retain(|one| (one.slope != [0.0; 2]) == is_sloped);
     let (errors, judge): (Vec<f64>, _) = if is_exact {
-        let errors = references.iter().map(|(twist, wanted)| {
-            let arm = radius;
-            error(&(method.wrench)(twist), *wanted, arm)
+        let errors = references.iter().map(|one| {
+            let found = if is_sloped {
+                shape.sloped(one.slope).wrench(1.0, &one.twist)
+            } else {
+                (method.wrench)(&one.twist)
+            };
+            error(&found, one.wrench, radius)
         });
         (
             errors.collect(),
@@ -169,8 +175,9 @@ centroid, in every direction, evenly in the logarithm of the distance; times are
 units of the disk's Coulomb table over the same twists, the median of the rounds' own ratios. Errors are of μN and \
 μN R. The closed form in f64 is judged by the tests' table of 150 digits (centres on corners and edges and up to \
 1e16 radii away; torques beyond some radii of the centroid carry the rounding of the twist's own coordinates), all \
-other methods by the closed form. `points` are edges, nodes, or sampled wrenches. The ellipsoid has the exact largest \
-force and torque; the hull answers with the sampled wrench that dissipates most, as planners do; the convex quartic is fitted to 400 \
+other methods by the closed form. Linear pressure is judged under the slopes of the table, which go up to 0.99 of the \
+steepest one, and timed under two thirds of the mean pressure a radius; all else is under uniform pressure. `points` \
+are edges, nodes, or sampled wrenches. The ellipsoid has the exact largest force and torque; the hull answers with the sampled wrench that dissipates most, as planners do; the convex quartic is fitted to 400 \
 wrenches, as `tribos fit --support` does. It gives the motion under a push at once; the push for a motion, which \
 stands here, takes Newton's method.
 ";

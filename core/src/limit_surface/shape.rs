@@ -37,8 +37,8 @@ const BEYOND: f64 = 8.0;
 /// *Accuracy* (f64): gauge 1e-14, surface points and normals 1e-13 of the limits (f32: 1e-5), with the
 /// origin at most a few radii away from the centre of pressure; about a distant one their ratio is lost. A
 /// patch or a wall that is more than 10 times as long as wide loses its aspect ratio over 10 (f32: twice
-/// that, up to 100:1), and what counts as on the surface widens with it, so that no projection moves a
-/// projected wrench.
+/// that, up to 100:1), a needle of a mesh up to the square of it, and what counts as on the surface widens with
+/// it, so that no projection moves a projected wrench.
 /// Points: the same on facets; between them the gauge 1e-9, next to a facet's rim normals to its square
 /// root; projections 1e-8 of the wrench there (f32: 1e-3). A projected wrench lies in the set to 16 rounding
 /// errors, however far the given one, whatever the length, and wherever the search has ended. It is the nearest

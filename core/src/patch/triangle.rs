@@ -117,6 +117,15 @@ impl<R: Real> Triangle<R> {
         ]
     }
 
+    /// Load of a square of its size under its mean pressure and what the slope adds to that over its size: cones
+    /// about a place so far away carry as much, and cancel each other but for the triangle.
+    #[inline]
+    pub(crate) fn load_of_cones(&self) -> R {
+        let ([p, q, r], [x, y]) = (self.pressures, self.slope());
+        let mean = R::from_f64(1.0 / 3.0) * (p + q + r);
+        self.size_sq * (mean + ((x * x + y * y) * self.size_sq).sqrt())
+    }
+
     /// Its pressure about the mesh's centre.
     #[inline(always)]
     pub(crate) fn pressure(&self) -> LinearPressure<R> {

@@ -134,8 +134,8 @@ impl<'a> Input<'a> {
 
     /// Judges `part` ≤ `whole` up to the rounding of `scale`.
     pub fn at_most<R: Real>(&mut self, what: &'static str, part: R, whole: R, scale: R) -> Verdict {
-        let rounding = R::from_f64(ROUNDING) * R::EPSILON * scale.abs();
-        self.holds(part <= whole + rounding, what, &[part, whole, scale])
+        let most = whole + rounding::<R>() * scale.abs();
+        self.holds(part <= most, what, &[part, whole, scale])
     }
 
     /// Judges `part` ≤ `whole` up to the accuracy of searches, of `scale`, and gives nothing if it holds: what is
@@ -152,6 +152,11 @@ impl<'a> Input<'a> {
         }
         self.holds(false, what, &[part, whole, scale])
     }
+}
+
+/// What an inequality of numbers of order 1 may be violated by.
+pub fn rounding<R: Real>() -> R {
+    R::from_f64(ROUNDING) * R::EPSILON
 }
 
 /// Searches are accurate to 1e-8 (f32: 1e-5), and ten times as inaccurate is what follows from them.

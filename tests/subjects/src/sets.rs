@@ -2,7 +2,7 @@
 
 use super::couplings::inner_ratio;
 use super::planes::{dissipates, parts, rates, twist, wrench};
-use crate::input::accuracy;
+use crate::input::{accuracy, rounding};
 use crate::{Input, Verdict};
 use tribos_core::coupling::coulomb::{
     CoulombDisk, CoulombHertz, CoulombParaboloid, CoulombPunch, CoulombRing,
@@ -166,12 +166,11 @@ pub fn asked<R: Real, S: FrictionSet<R>>(input: &mut Input<'_>, set: &S) -> Verd
     if near.region == Region::Inside {
         input.holds(near.wrench == push, "inside nothing changes", &all)?;
     } else if input.is_mild() && set.force_limit() > R::ZERO {
-        input.at_most(
-            "a projection lies in the set",
-            set.gauge(&near.wrench),
-            R::ONE,
-            R::ONE,
-        )?;
+        let gauge = set.gauge(&near.wrench);
+        // The surface of a slender shape is wider.
+        let is_in = gauge <= R::ONE + rounding::<R>() || set.contains(&near.wrench);
+        let what = "a projection lies in the set";
+        input.holds(is_in, what, &[gauge, R::ONE, R::ONE])?;
     }
     if input.is_mild() && set.force_limit() > R::ZERO {
         balanced(input, &motion, &met, power)?;

@@ -40,25 +40,16 @@
 //!
 //! where W₁ is W for the pressure 1, and W₁″ its rest over w.
 //!
-//! *Steep pressure*. On a patch that is thin along g the area integrals P, P″ and B are small, but sums of long edges
-//! that cancel unless the centre of rotation is close, and g multiplies them. The patch is a layer about the level line
-//! of the centre of pressure: with e = g·x on an edge, and the points x_s on the way from that line to the edge,
-//!
-//! ```text
-//! ∫f dA = Σ (g × τ)/g² ∫∫e f(x_s) ds dl,     s = 0 … 1
-//! ```
-//!
-//! whose terms are as small as the layer is thin, by Gauss' rule in s and the closed forms along the squeezed edges.
-//! Products with corners cancel there, too, and are taken with what rounding leaves of them.
+//! Pressure that is steep across a thin patch takes the area integrals P, P″ and B from [`super::steep_layer`].
 
 use super::motion::Motion;
-use super::moving_edge::{Corner, MovingEdge, Sides, UnitMotion, splat};
+use super::moving_edge::{MovingEdge, Sides, UnitMotion, splat};
+use super::steep_layer::sharp;
 use super::uniform::summed;
 use super::{Hessian, Reduced};
 use crate::lanes::{Numbers, Summed};
 use crate::patch::outline::{Edge, PressureField};
 use crate::real::Real;
-use crate::special::legendre::FEW_HALF;
 use nalgebra::Vector2;
 
 /// Slope, of the mean pressure over the radius, from which on a patch is a layer: pressure is nowhere negative,
@@ -66,12 +57,8 @@ use nalgebra::Vector2;
 const STEEP: f64 = 4.0;
 /// Mean pressures at the centre of rotation up to which it is close: some widths of the layer away.
 const CLOSE: f64 = 8.0;
-/// 2²⁷ + 1 for 53 digits, and 2¹² + 1 for the 24 of f32.
-const HALVES: f64 = 134_217_729.0;
-const HALVES_SINGLE: f64 = 4_097.0;
-
 /// A weight along an edge: that of its middle, and the change from end to end.
-struct Weight<L> {
+pub(super) struct Weight<L> {
     middle: L,
     change: L,
 }
@@ -79,7 +66,7 @@ struct Weight<L> {
 impl<L: Summed<Real: Real>> Weight<L> {
     /// That goes from one value to another one.
     #[inline(always)]
-    fn between([from, to]: [L; 2]) -> Self {
+    pub(super) fn between([from, to]: [L; 2]) -> Self {
         Self {
             middle: L::splat(0.5) * (from + to),
             change: to - from,
@@ -87,33 +74,8 @@ impl<L: Summed<Real: Real>> Weight<L> {
     }
 }
 
-/// The scalar product to rounding of itself, however much of its terms cancels.
-#[inline(always)]
-fn sharp<L: Summed<Real: Real>>(a: [L; 2], b: [L; 2]) -> L {
-    let (first, second) = (a[0] * b[0], a[1] * b[1]);
-    first + second + (lost_in(first, a[0], b[0]) + lost_in(second, a[1], b[1]))
-}
-
-/// What cuts a number into halves of its digits: one more than a power of two.
-#[inline(always)]
-fn halves_at<R: Real>() -> f64 {
-    if R::IS_SINGLE { HALVES_SINGLE } else { HALVES }
-}
-
-/// What rounding took from a product (Dekker 1971, Numer. Math. 18, 224).
-#[inline(always)]
-fn lost_in<L: Summed<Real: Real>>(product: L, a: L, b: L) -> L {
-    let halves = |x: L| {
-        let large = x * splat::<L>(halves_at::<L::Real>());
-        let high = large - (large - x);
-        (high, x - high)
-    };
-    let ((a, a_low), (b, b_low)) = (halves(a), halves(b));
-    ((a * b - product) + a * b_low + a_low * b) + a_low * b_low
-}
-
 /// What edges add to integrals of p, p″ and p‴.
-struct EdgeIntegrals<'a, L> {
+pub(super) struct EdgeIntegrals<'a, L> {
     moving: &'a MovingEdge<L>,
     /// β, β″, β‴
     even: [L; 3],
@@ -131,7 +93,7 @@ struct EdgeIntegrals<'a, L> {
 
 impl<'a, L: Summed<Real: Real>> EdgeIntegrals<'a, L> {
     #[inline(always)]
-    fn new(moving: &'a MovingEdge<L>) -> Self {
+    pub(super) fn new(moving: &'a MovingEdge<L>) -> Self {
         let MovingEdge {
             spin: w,
             along,
@@ -184,7 +146,7 @@ impl<'a, L: Summed<Real: Real>> EdgeIntegrals<'a, L> {
 
     /// γ and γ″
     #[inline(always)]
-    fn weighted(&self, weight: &Weight<L>) -> [L; 2] {
+    pub(super) fn weighted(&self, weight: &Weight<L>) -> [L; 2] {
         let ([beta, beta_2, _], [delta, delta_2]) = (self.even, self.odd);
         let Weight { middle, change } = *weight;
         [
@@ -212,7 +174,7 @@ impl<'a, L: Summed<Real: Real>> EdgeIntegrals<'a, L> {
 
     /// W along the tangent and the normal.
     #[inline(always)]
-    fn slope(&self, weight: &Weight<L>) -> [L; 2] {
+    pub(super) fn slope(&self, weight: &Weight<L>) -> [L; 2] {
         let Weight { middle, change } = *weight;
         let (sides, w) = (&self.moving.sides, self.moving.spin);
         let (double, load) = (self.moving.sigma + self.moving.sigma, middle * sides.length);
@@ -300,24 +262,24 @@ impl<'a, L: Summed<Real: Real>> EdgeIntegrals<'a, L> {
 
 /// The vector with these parts along a tangent and the normal to its right.
 #[inline(always)]
-fn turned_back<L: Summed>([x, y]: [L; 2], [along, across]: [L; 2]) -> [L; 2] {
+pub(super) fn turned_back<L: Summed>([x, y]: [L; 2], [along, across]: [L; 2]) -> [L; 2] {
     [along * x + across * y, along * y - across * x]
 }
 
 /// A patch under linear pressure, and its motion.
-struct Loaded<'a, R: Real> {
-    edges: &'a [Edge<R>],
-    slope: [R; 2],
+pub(super) struct Loaded<'a, R: Real> {
+    pub(super) edges: &'a [Edge<R>],
+    pub(super) slope: [R; 2],
     at_centre: R,
-    motion: UnitMotion<R>,
+    pub(super) motion: UnitMotion<R>,
     is_steep: bool,
 }
 
 /// Integrals over the area: P, P″ and B.
-struct AreaIntegrals<R> {
-    p: R,
-    rest: R,
-    slope: [R; 2],
+pub(super) struct AreaIntegrals<R> {
+    pub(super) p: R,
+    pub(super) rest: R,
+    pub(super) slope: [R; 2],
 }
 
 /// Reduced friction of a patch with this area.
@@ -419,14 +381,9 @@ impl<'a, R: Real> Loaded<'a, R> {
         }
         let motion = self.motion.repeated::<L>();
         summed::<R, L, N>(self.edges, &self.motion, |moving| {
-            let mut moving = *moving;
-            let (from, to) = (moving.sides.from, moving.sides.to);
-            // Long edges of a thin patch cancel each other.
-            let inv = L::splat(1.0) / (moving.sides.length + L::repeat(R::MIN_POSITIVE));
-            moving.sides.offset = sharp([from[0], -from[1]], [to[1], to[0]]) * inv;
-            let velocity = [motion.x, motion.y];
-            moving.along = (sharp(velocity, to) - sharp(velocity, from)) * inv;
-            let pressure = [from, to].map(|end| at_centre[0] + sharp(slope, end));
+            let moving = moving.sharpened(&motion);
+            let ends = [moving.sides.from, moving.sides.to];
+            let pressure = ends.map(|end| at_centre[0] + sharp(slope, end));
             of(&EdgeIntegrals::new(&moving), &Weight::between(pressure))
         })
     }
@@ -471,68 +428,6 @@ impl<'a, R: Real> Loaded<'a, R> {
         };
         (reduced, [pull_x, pull_y, along])
     }
-
-    /// The integrals over a layer about the level line of the centre of pressure.
-    #[cold]
-    fn over_layer<L: Summed<Real = R>, const WITH_HESSIAN: bool>(&self) -> AreaIntegrals<R> {
-        let ([x, y], motion) = (self.slope.map(L::repeat), self.motion.repeated::<L>());
-        let inv_sq = L::splat(1.0) / (x * x + y * y);
-        let [p, rest, slope_x, slope_y] = summed::<R, L, 4>(self.edges, &self.motion, |moving| {
-            let sides = &moving.sides;
-            let ends = [sides.from, sides.to];
-            // Pressure above the level line.
-            let above = ends.map(|end| sharp([x, y], end));
-            let measure = (x * sides.tangent[1] - y * sides.tangent[0]) * inv_sq * sides.length;
-            let mut sums = [L::splat(0.0); 4];
-            for &[node, weight] in &FEW_HALF {
-                for node in [-node, node] {
-                    let back = splat::<L>(0.5 - 0.5 * node) * inv_sq;
-                    let squeezed = [(ends[0], above[0]), (ends[1], above[1])]
-                        .map(|(end, above)| [end[0] - back * above * x, end[1] - back * above * y]);
-                    let corners = squeezed.map(|corner| Corner::new(&motion, corner));
-                    let [from, to] = &corners;
-                    let squeezed = MovingEdge::new(&motion, Sides::between(squeezed), [from, to]);
-                    let own = EdgeIntegrals::new(&squeezed);
-                    let length = squeezed.sides.length + L::repeat(R::MIN_POSITIVE);
-                    let scale = splat::<L>(0.5 * weight) * measure / length;
-                    let weight = Weight::between(above.map(|above| scale * above));
-                    let [p, rest] = own.weighted(&weight);
-                    let slope = if WITH_HESSIAN {
-                        turned_back(squeezed.sides.tangent, own.slope(&weight))
-                    } else {
-                        [L::splat(0.0); 2]
-                    };
-                    for (sum, part) in sums.iter_mut().zip([p, rest, slope[0], slope[1]]) {
-                        *sum = *sum + part;
-                    }
-                }
-            }
-            sums
-        });
-        AreaIntegrals {
-            p,
-            rest,
-            slope: [slope_x, slope_y],
-        }
-    }
-}
-
-impl<L: Summed<Real: Real>> Sides<L> {
-    /// From corners to corners.
-    #[inline(always)]
-    fn between([from, to]: [[L; 2]; 2]) -> Self {
-        let (x, y) = (to[0] - from[0], to[1] - from[1]);
-        let length = (x * x + y * y).sqrt();
-        let inv = L::splat(1.0) / (length + L::repeat(L::Real::MIN_POSITIVE));
-        let tangent = [x * inv, y * inv];
-        Self {
-            from,
-            to,
-            tangent,
-            length,
-            offset: from[0] * tangent[1] - from[1] * tangent[0],
-        }
-    }
 }
 
 #[cfg(test)]
@@ -541,104 +436,6 @@ mod tests {
     use crate::coupling::flat::ShapeFriction;
     use crate::patch::outline::{LinearPressure, Polygon};
     use crate::twist::Twist;
-
-    /// A strip, its centre of pressure, a twist, and force and torque about the origin for a μN of 1.
-    struct Strip {
-        aspect: f64,
-        corners: [[f64; 2]; 4],
-        centre: [f64; 2],
-        twist: [f64; 3],
-        wrench: [f64; 3],
-    }
-
-    /// By line integrals about the centre of rotation with 50 digits (mpmath 1.3, in polar coordinates):
-    /// centres on the strip, beside it, and beyond three radii.
-    const STRIPS: &[Strip] = &[
-        Strip {
-            aspect: 1000.0,
-            corners: [
-                [-0.969033930767656, -0.24692962766947554],
-                [0.9695258514632127, 0.2449910678872447],
-                [0.969033930767656, 0.24692962766947554],
-                [-0.9695258514632127, -0.2449910678872447],
-            ],
-            centre: [0.1459956094817801, 0.03708292793076651],
-            twist: [
-                -0.010418496191435879,
-                0.031759003650815056,
-                0.4651433783184657,
-            ],
-            wrench: [
-                0.10089806835528019,
-                -0.2802363112912042,
-                -0.4974244055788887,
-            ],
-        },
-        Strip {
-            aspect: 10000.0,
-            corners: [
-                [0.17116487004046727, -0.9852424053318198],
-                [-0.17096781813807405, 0.9852766186006376],
-                [-0.17116487004046727, 0.9852424053318198],
-                [0.17096781813807405, -0.9852766186006376],
-            ],
-            centre: [-0.007400133926319752, 0.04258907488345833],
-            twist: [
-                -0.23304764717836451,
-                -0.04046752883627514,
-                1.0602712684580482,
-            ],
-            wrench: [
-                0.28048983296277435,
-                0.04879777451198943,
-                -0.4755955739971934,
-            ],
-        },
-        Strip {
-            aspect: 10000.0,
-            corners: [
-                [-0.7677228816604734, -0.6407820120563145],
-                [0.7678510227071457, 0.6406284546658777],
-                [0.7677228816604734, 0.6407820120563145],
-                [-0.7678510227071457, -0.6406284546658777],
-            ],
-            centre: [0.11442620725665044, 0.09547523687275052],
-            twist: [1.3030334530414185, -1.5352026165047248, 2.3132504657364663],
-            wrench: [
-                -0.5588998188044645,
-                0.5966660773082062,
-                -0.022789576013526387,
-            ],
-        },
-        Strip {
-            aspect: 10000.0,
-            corners: [
-                [0.17116487004046727, -0.9852424053318198],
-                [-0.17096781813807405, 0.9852766186006376],
-                [-0.17116487004046727, 0.9852424053318198],
-                [0.17096781813807405, -0.9852766186006376],
-            ],
-            centre: [-0.007400133926319752, 0.04258907488345833],
-            twist: [-2.944263026899032, 15.112344103640279, 2.2908882638982795],
-            wrench: [0.1966564748553997, -0.976768965124603, -0.05011552904781815],
-        },
-    ];
-
-    #[test]
-    fn linear_pressure_on_strips_loses_the_aspect_ratio_and_not_its_square() {
-        for strip in STRIPS {
-            let even = Polygon::new(strip.corners).unwrap();
-            let leaning = even.with_centre_of_pressure(strip.centre).unwrap();
-            let friction = ShapeFriction::new(leaning, 1.0).unwrap();
-            let [x, y, spin] = strip.twist;
-            let found = friction.wrench(1.0, &Twist::new(x, y, spin));
-            let [x, y, torque] = strip.wrench;
-            // Torques about the origin, of at most twice the radius.
-            let off =
-                libm::hypot(found.force.x - x, found.force.y - y) + (found.torque - torque).abs();
-            assert!(off < 1e-15 * strip.aspect, "{} {off:e}", strip.aspect);
-        }
-    }
 
     #[test]
     fn the_small_torque_of_a_slow_spin_keeps_its_digits() {

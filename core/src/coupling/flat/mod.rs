@@ -24,6 +24,7 @@ mod points;
 mod pole_far;
 mod pole_near;
 mod power;
+mod steep_layer;
 mod sums;
 mod uniform;
 

@@ -1,6 +1,7 @@
 //! Sets of patches against their definitions.
 
 use super::*;
+use crate::patch::mesh::{Mesh, Vertex};
 use crate::patch::nodes::{Node, Nodes};
 use crate::patch::outline::Polygon;
 use crate::patch::points::PointPatch;
@@ -186,6 +187,49 @@ fn every_search_on_points_ends_with_a_wrench_that_balances() {
                 let left = norm(&goal.gradient(&found.at, &found.power));
                 assert!(left < 1e-7, "{far:?} {arms} {left:e}");
             }
+        }
+    }
+}
+
+/// Projects wrenches onto the set of one triangle, from outside.
+fn projections_stay<R: Real>(corners: [[f64; 3]; 3]) {
+    let corners = corners.map(|[x, y, pressure]| {
+        let [x, y, pressure] = [x, y, pressure].map(R::from_f64);
+        Vertex { x, y, pressure }
+    });
+    let surface = ShapeLimitSurface::new(Mesh::new([corners]).unwrap(), R::ONE).unwrap();
+    for i in 0..300 {
+        let [x, y, torque] = [0.569_840_290_99, 0.445_041_867_9, 0.819_172_513_4]
+            .map(|k| R::from_f64(3.0 * part(i, k)));
+        let push = Wrench::new(x, y, torque * surface.radius);
+        let once = surface.project(&push);
+        let twice = surface.project(&once.wrench);
+        assert!(surface.contains(&once.wrench), "{corners:?} {i}");
+        assert_eq!(once.wrench, twice.wrench, "{corners:?} {i}");
+    }
+}
+
+#[test]
+fn projections_on_needles_of_a_mesh_stay() {
+    // 200 times as long as wide, with a steep pressure.
+    let needle = [
+        [7.000_369_715_209_068, 7.283_936_634_342_219, 0.072],
+        [4.416_798_850_636_358, 7.613_816_530_513_803, 0.141],
+        [-7.198_836_496_332_012, 9.482_720_688_066_08, 0.948],
+    ];
+    projections_stay::<f64>(needle);
+    for i in 1..40 {
+        let width = libm::exp(-3.0 * (part(i, 0.671_043_606_7) + 1.0));
+        let load = |turn: f64| 1.0 + part(i, turn);
+        let corners = [
+            [-0.9, -0.5 * width, load(0.569_840_290_99)],
+            [0.8, -0.3 * width, load(0.445_041_867_9)],
+            [0.2, 0.9 * width, load(0.819_172_513_4)],
+        ];
+        projections_stay::<f64>(corners);
+        // Beyond, single precision does not know the needle's width.
+        if width > 0.1 {
+            projections_stay::<f32>(corners);
         }
     }
 }
