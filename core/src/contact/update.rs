@@ -331,7 +331,7 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
         let velocity = self.velocity(a, b);
         let normal = self.normal_impulse(&velocity);
         let coupled = self.coupled(friction, &velocity, normal);
-        let held = coupled.and_then(|coupled| coupled.solve_sticking());
+        let held = coupled.and_then(|coupled| coupled.solve_sticking().ok());
         let new = match held {
             Some(held) => Self::joined(normal, held),
             None => self.solve_in_turn(friction, &velocity, normal),
