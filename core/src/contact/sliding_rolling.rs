@@ -6,17 +6,18 @@
 //!
 //! Where both slip one multiplier is found. A multiplier λ ≥ 0 of the rolling limit raises 1/I to
 //! 1/I + λ = 1/(s I): rolling takes the share s ≤ 1 of the torque T that would stop it, this equation
-//! eliminates it as where it sticks, and sliding feels the mass m/(1 − s k² m I). What is minimised has the
-//! part −s |T|²/(2I), so that its least point has a larger |T| the larger s is, whatever the masses: b/|T| falls, and the share
-//! b/|T| = s at which rolling meets its limit b is between any s and its b/|T|. Newton's method finds it, on 1/|T|, which is
-//! nearly linear in s (Moré & Sorensen, SIAM J. Sci. Stat. Comput. 4 (1983) 553). While sliding keeps the length of
-//! its limit, only the part of T × n across the force p turns it,
+//! eliminates it as where it sticks, and sliding feels the mass m/(1 − s k² m I). The function that sliding then
+//! minimises holds the term −s |T|²/(2 I): a larger share has a larger |T|, whatever the masses and whatever
+//! forces friction admits. So b/|T| falls as s rises, and the share at which rolling meets its limit b, s = b/|T|, lies between
+//! any s and its b/|T|. Newton's method finds it on b/|T|, which is nearly linear in s (Moré & Sorensen, SIAM J. Sci. Stat.
+//! Comput. 4 (1983) 553). Where the force p keeps the length of its limit, it only turns:
 //!
 //! ```text
 //! d|T|/ds = |T| k² m I/(1 − s k² m I) (p·T)²/(p·q |T|²)
 //! ```
 //!
-//! with q the force that would stop sliding; where sliding sticks, the last factor is 1.
+//! with q the force that would stop sliding. Where sliding sticks, the last quotient is 1; under a common limit of sliding and
+//! torsion, secants take the place of the derivative.
 
 use super::block::{Block, Masses};
 use super::friction::{ContactFriction, TangentialLoad};
@@ -28,7 +29,7 @@ use nalgebra::Vector3;
 /// What is left of one motion when the other is stopped below which the two count as the same, as
 /// for a ball on an axle: rounding of the block, in units of it.
 const SINGULAR_ULPS: f64 = 64.0;
-/// Newton steps at most before halvings: most contacts take 4.
+/// Newton steps at most before halvings: most contacts take 3.
 const MOST_STEPS: usize = 24;
 /// Distance of s from b/|T|, of s, that rounding hides: the root is nearer.
 const APART_ULPS: f64 = 4.0;
@@ -163,7 +164,7 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
             let meets = limit / magnitude(&at.stopping);
             let off = at.share - meets;
             if off.abs() <= R::from_f64(APART_ULPS) * R::EPSILON * at.share {
-                return (at.held, at.stopping * meets);
+                return (at.held, self.hold_rolling(&at.stopping));
             }
             if off > R::ZERO {
                 high = at.share;
@@ -310,7 +311,9 @@ impl<R: Real> Shared<R> {
             return alone;
         }
         let across = dot(force, &self.stopping);
-        alone * (across / dot(force, &self.sliding)) * (across / dot(&self.stopping, &self.stopping))
+        alone
+            * (across / dot(force, &self.sliding))
+            * (across / dot(&self.stopping, &self.stopping))
     }
 }
 
