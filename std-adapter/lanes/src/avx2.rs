@@ -118,7 +118,7 @@ impl Four for Register {
     fn any(self) -> bool {
         unsafe { _mm256_movemask_pd(self.0) != 0 }
     }
-    // By halves of registers, which go to and from memory: only one unit of a processor moves numbers across them.
+    // Rows are read by halves: one unit of a processor alone moves numbers across a register.
     #[inline(always)]
     fn columns([a, b, c, d]: [[f64; 4]; 4]) -> [Self; 4] {
         let [ac, bd] = [
@@ -140,13 +140,16 @@ impl Four for Register {
     }
     #[inline(always)]
     fn rows([x, y, z, w]: [Self; 4]) -> [[f64; 4]; 4] {
-        let [[a, b, c, d], [e, f, g, h]] = [Self::pairs([x, y]), Self::pairs([z, w])];
-        [
-            [a[0], a[1], e[0], e[1]],
-            [b[0], b[1], f[0], f[1]],
-            [c[0], c[1], g[0], g[1]],
-            [d[0], d[1], h[0], h[1]],
-        ]
+        let (ac, bd) = unsafe { (_mm256_unpacklo_pd(x.0, y.0), _mm256_unpackhi_pd(x.0, y.0)) };
+        let (ca, db) = unsafe { (_mm256_unpacklo_pd(z.0, w.0), _mm256_unpackhi_pd(z.0, w.0)) };
+        unsafe {
+            [
+                Self(_mm256_permute2f128_pd::<0x20>(ac, ca)).lanes(),
+                Self(_mm256_permute2f128_pd::<0x20>(bd, db)).lanes(),
+                Self(_mm256_permute2f128_pd::<0x31>(ac, ca)).lanes(),
+                Self(_mm256_permute2f128_pd::<0x31>(bd, db)).lanes(),
+            ]
+        }
     }
     #[inline(always)]
     fn pairs([x, y]: [Self; 2]) -> [[f64; 2]; 4] {
