@@ -6,12 +6,18 @@
 //!
 //! Where both slip one multiplier is found. A multiplier λ ≥ 0 of the rolling limit raises 1/I to
 //! 1/I + λ = 1/(s I): rolling takes the share s ≤ 1 of the torque T that would stop it, this equation
-//! eliminates it as where it sticks, and sliding feels the mass m/(1 − s k² m I). The torque s |T| grows
-//! with s, for its square less that of the limit is the slope of the dual function, which is concave
-//! (Boyd & Vandenberghe, Convex Optimization (2004), section 5.1.2): the share at which it meets the
-//! limit b lies between one that stays within and one that does not, whatever the masses. Secants of
-//! s − b/|T|, which is nearly linear in s (Moré & Sorensen, SIAM J. Sci. Stat. Comput. 4 (1983) 553),
-//! close in on it from both sides.
+//! eliminates it as where it sticks, and sliding feels the mass m/(1 − s k² m I). The function that sliding then
+//! minimises holds the term −s |T|²/(2 I): a larger share has a larger |T|, whatever the masses and whatever
+//! forces friction admits. So b/|T| falls as s rises, and the share at which rolling meets its limit b, s = b/|T|, lies between
+//! any s and its b/|T|. Newton's method finds it on b/|T|, which is nearly linear in s (Moré & Sorensen, SIAM J. Sci. Stat.
+//! Comput. 4 (1983) 553). Where the force p keeps the length of its limit, it only turns:
+//!
+//! ```text
+//! d|T|/ds = |T| k² m I/(1 − s k² m I) (p·T)²/(p·q |T|²)
+//! ```
+//!
+//! with q the force that would stop sliding. Where sliding sticks, the last quotient is 1; under a common limit of sliding and
+//! torsion, secants take the place of the derivative.
 
 use super::block::{Block, Masses};
 use super::friction::{ContactFriction, TangentialLoad};
@@ -23,10 +29,9 @@ use nalgebra::Vector3;
 /// What is left of one motion when the other is stopped below which the two count as the same, as
 /// for a ball on an axle: rounding of the block, in units of it.
 const SINGULAR_ULPS: f64 = 64.0;
-/// Secants at most before halvings: most contacts take 6.
-const MOST_SECANTS: usize = 24;
-/// Least distance of an end from the root, of its share: rounding hides smaller ones, and a step across the root
-/// closes the bracket.
+/// Newton steps at most before halvings: most contacts take 3.
+const MOST_STEPS: usize = 24;
+/// Distance of s from b/|T|, of s, that rounding hides: the root is nearer.
 const APART_ULPS: f64 = 4.0;
 /// Quotient of bounds above which their logarithms are halved, not they.
 const FAR_APART: f64 = 4.0;
@@ -77,7 +82,7 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
     #[inline(never)]
     pub fn solve(&self) -> (TangentialLoad<R>, Vector3<R>) {
         self.solve_sticking()
-            .unwrap_or_else(|| self.share(self.shared_inverse()))
+            .unwrap_or_else(|whole| self.share(whole))
     }
 
     /// 1 less the share of each mass' inverse that is left when the other motion is stopped: k² m I.
@@ -96,27 +101,30 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
         }
     }
 
-    /// The impulses where one of the two motions sticks, or both; `None` where both slip or are one motion.
+    /// The impulses where one of the two motions sticks, or both. Where both slip or are one motion, those of the
+    /// largest share of rolling.
     #[inline(always)]
-    pub fn solve_sticking(&self) -> Option<(TangentialLoad<R>, Vector3<R>)> {
+    pub fn solve_sticking(&self) -> Result<(TangentialLoad<R>, Vector3<R>), Shared<R>> {
         let (m, inertia, k) = (
             self.block.mass_sliding,
             self.block.inertia,
             self.block.coupling,
         );
-        let left = R::ONE - self.shared_inverse();
-        let distinct = left > R::from_f64(SINGULAR_ULPS) * R::EPSILON;
+        let shared = self.shared_inverse();
+        let left = R::ONE - shared;
+        let least_left = R::from_f64(SINGULAR_ULPS) * R::EPSILON;
+        let distinct = left > least_left;
         if !distinct {
-            return None;
+            // What sliding feels stays finite.
+            return Err(self.shared((R::ONE - least_left) / shared, shared));
         }
 
         // Rolling sticks: sliding feels the mass m/left.
         let slip = self.slip - cross(&self.roll, self.normal) * (k * inertia);
-        let held = self.hold(&slip, m / left);
-        let rolling = self.rolling_that_sticks(&held.sliding);
-        let turned = self.hold_rolling(&rolling);
-        if turned == rolling {
-            return Some((held, rolling));
+        let whole = self.with_share(R::ONE, &slip, m / left);
+        let turned = self.hold_rolling(&whole.stopping);
+        if turned == whole.stopping {
+            return Ok((whole.held, turned));
         }
 
         // Sliding sticks: rolling feels the moment I/left.
@@ -124,92 +132,93 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
         let turned = self.hold_rolling(&(self.old_rolling - roll * (inertia / left)));
         let slip = self.slip_after(&turned);
         let sliding = self.old.sliding - slip * m;
-        let held = self.hold(&slip, m);
-        (held.sliding == sliding).then_some((held, turned))
+        let held = self.hold(&sliding, m);
+        if held.sliding == sliding {
+            Ok((held, turned))
+        } else {
+            Err(whole)
+        }
     }
 
-    /// Both slip, or are one motion, for any `shared` = k² m I: the share of rolling is bracketed.
-    #[cold]
+    /// Both slip, or are one motion, whose largest share is `whole`.
     #[inline(never)]
-    fn share(&self, shared: R) -> (TangentialLoad<R>, Vector3<R>) {
-        // What sliding feels stays finite.
-        let least_left = R::from_f64(SINGULAR_ULPS) * R::EPSILON;
-        let distinct = R::ONE - shared > least_left;
-        let whole = if distinct {
-            R::ONE
-        } else {
-            (R::ONE - least_left) / shared
-        };
-        let mut beyond = self.shared(whole, shared);
-        let turned = self.hold_rolling(&beyond.rolling);
-        if turned == beyond.rolling {
-            return (beyond.held, turned);
+    fn share(&self, whole: Shared<R>) -> (TangentialLoad<R>, Vector3<R>) {
+        let shared = self.shared_inverse();
+        let rolling = whole.rolling();
+        let turned = self.hold_rolling(&rolling);
+        if turned == rolling {
+            return (whole.held, turned);
         }
         let limit = magnitude(&turned);
-        let mut within = self.shared(R::ZERO, shared);
         // Nothing resists rolling, as where the contact is open.
         let resists = limit > R::ZERO;
         if !resists {
-            return (within.held, turned);
+            return (self.shared(R::ZERO, shared).held, turned);
         }
-        let mut distances = [
-            within.distance(limit, R::ONE),
-            beyond.distance(limit, -R::ONE),
-        ];
-        let (mut secants, mut last) = (0, None);
+        let keeps_its_length = self.friction.independent_limits().is_some();
+        let (mut low, mut high) = (R::ZERO, whole.share);
+        let (mut at, mut before, mut steps) = (whole, None, 0);
         // Until no number lies between the two shares.
         loop {
-            let (low, high) = (within.share, beyond.share);
-            let root = low + (high - low) * (distances[0] / (distances[0] + distances[1]));
-            let next = if secants < MOST_SECANTS && low < root && root < high {
+            // The share of this torque that meets the limit.
+            let meets = limit / magnitude(&at.stopping);
+            let off = at.share - meets;
+            if off.abs() <= R::from_f64(APART_ULPS) * R::EPSILON * at.share {
+                return (at.held, self.hold_rolling(&at.stopping));
+            }
+            if off > R::ZERO {
+                high = at.share;
+            } else {
+                low = at.share;
+            }
+            let fall = match before {
+                Some((share, met)) if !keeps_its_length => (met - meets) / (at.share - share),
+                _ => meets * at.growth(shared),
+            };
+            let root = (meets + fall * at.share) / (R::ONE + fall);
+            let next = if steps < MOST_STEPS && low < root && root < high {
                 root
             } else {
                 middle(low, high)
             };
             if !(low < next && next < high) {
-                return self.between(&within, &beyond);
+                return self.between(&self.shared(low, shared), &self.shared(high, shared));
             }
-            secants += 1;
-            let trial = self.shared(next, shared);
-            // An end that stays twice counts half, so that a secant crosses to it (the Illinois rule).
-            let inside = self.hold_rolling(&trial.rolling) == trial.rolling;
-            let weight = if last == Some(inside) {
-                R::HALF
-            } else {
-                R::ONE
-            };
-            last = Some(inside);
-            if inside {
-                let distance = trial.distance(limit, R::ONE);
-                (within, distances) = (trial, [distance, weight * distances[1]]);
-            } else {
-                let distance = trial.distance(limit, -R::ONE);
-                (beyond, distances) = (trial, [weight * distances[0], distance]);
-            }
+            steps += 1;
+            before = Some((at.share, meets));
+            at = self.shared(next, shared);
         }
     }
 
     /// The impulses when rolling takes a share of the torque that would stop it.
+    #[inline(always)]
     fn shared(&self, share: R, shared: R) -> Shared<R> {
-        let mass = self.block.mass_sliding / (R::ONE - share * shared);
         let alone = self.rolling_that_sticks(&self.old.sliding) * share;
-        let held = self.hold(&self.slip_after(&alone), mass);
-        let stopping = self.rolling_that_sticks(&held.sliding);
+        let mass = self.block.mass_sliding / (R::ONE - share * shared);
+        self.with_share(share, &self.slip_after(&alone), mass)
+    }
+
+    /// The same, given the slip of the mass that sliding then feels.
+    #[inline(always)]
+    fn with_share(&self, share: R, slip: &Vector3<R>, mass: R) -> Shared<R> {
+        let sliding = self.old.sliding - slip * mass;
+        let held = self.hold(&sliding, mass);
         Shared {
             share,
+            sliding,
             held,
-            stopping,
-            rolling: stopping * share,
+            stopping: self.rolling_that_sticks(&held.sliding),
         }
     }
 
     /// The impulses between two that balance under one multiplier, where rolling meets its limit: all that
     /// lies between them balances as they do, and both may jump from one number to the next.
     fn between(&self, within: &Shared<R>, beyond: &Shared<R>) -> (TangentialLoad<R>, Vector3<R>) {
-        let limit = self.hold_rolling(&beyond.rolling);
-        let size = sum(&beyond.rolling);
-        let way = (beyond.rolling - within.rolling) / size;
-        let [start, limit] = [within.rolling, limit].map(|torque| torque / size);
+        let [near, far] = [within.rolling(), beyond.rolling()];
+        let limit = self.hold_rolling(&far);
+        let size = sum(&far);
+        let way = (far - near) / size;
+        let [start, limit] = [near, limit].map(|torque| torque / size);
         // |start + x way| = |limit|
         let [square, along] = [dot(&way, &way), dot(&start, &way)];
         let room = dot(&limit, &limit) - dot(&start, &start);
@@ -255,11 +264,11 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
         self.old_rolling - (self.roll + turn) * self.block.inertia
     }
 
-    /// The sliding force and torsion torque that resist `slip` of a given mass.
+    /// The sliding force and torsion torque that a mass takes whose slip the force `sliding` would stop.
     #[inline(always)]
-    fn hold(&self, slip: &Vector3<R>, mass: R) -> TangentialLoad<R> {
+    fn hold(&self, sliding: &Vector3<R>, mass: R) -> TangentialLoad<R> {
         let trial = TangentialLoad {
-            sliding: self.old.sliding - slip * mass,
+            sliding: *sliding,
             torsion: self.old.torsion,
         };
         let masses = Masses {
@@ -276,23 +285,35 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
 }
 
 /// Impulses of which rolling has a given share.
-struct Shared<R> {
+pub(super) struct Shared<R> {
     /// s
     share: R,
+    /// The force that would stop sliding.
+    sliding: Vector3<R>,
     held: TangentialLoad<R>,
     /// T, which would stop rolling.
     stopping: Vector3<R>,
-    /// s T, not yet limited.
-    rolling: Vector3<R>,
 }
 
 impl<R: Real> Shared<R> {
-    /// b/|T| − s for the limit b where s |T| stays within it, s − b/|T| where it does not, and no less than the
-    /// rounding of both.
-    fn distance(&self, limit: R, stays: R) -> R {
-        let distance = stays * (limit / magnitude(&self.stopping) - self.share);
-        let least = R::from_f64(APART_ULPS) * R::EPSILON * self.share;
-        if distance > least { distance } else { least }
+    /// s T, not yet limited.
+    #[inline(always)]
+    fn rolling(&self) -> Vector3<R> {
+        self.stopping * self.share
+    }
+
+    /// d|T|/ds of |T| while sliding keeps its length, for `shared` = k² m I.
+    #[inline(always)]
+    fn growth(&self, shared: R) -> R {
+        let alone = shared / (R::ONE - self.share * shared);
+        let force = &self.held.sliding;
+        if *force == self.sliding {
+            return alone;
+        }
+        let across = dot(force, &self.stopping);
+        alone
+            * (across / dot(force, &self.sliding))
+            * (across / dot(&self.stopping, &self.stopping))
     }
 }
 

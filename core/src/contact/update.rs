@@ -296,9 +296,8 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
         a: &mut impl ContactBody<R>,
         b: &mut impl ContactBody<R>,
     ) -> ContactVector<R, M> {
-        let velocity = self.velocity(a, b);
-        let new = self.solve(friction, &velocity);
-        self.move_to(new, a, b)
+        let solve = |coupled: CoupledSlip<'_, R, F>| Some(coupled.solve());
+        self.take(friction, (a, b), solve)
     }
 
     /// [`Contact::update`] for sweeps: sliding under the rolling torque so far, then rolling under the new
@@ -313,9 +312,7 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
         a: &mut impl ContactBody<R>,
         b: &mut impl ContactBody<R>,
     ) -> ContactVector<R, M> {
-        let velocity = self.velocity(a, b);
-        let new = self.solve_in_turn(friction, &velocity, self.normal_impulse(&velocity));
-        self.move_to(new, a, b)
+        self.take(friction, (a, b), |_| None)
     }
 
     /// [`Contact::take_turn`] where sliding and rolling both slip, [`Contact::update`] where one of them sticks: a
@@ -328,43 +325,35 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
         a: &mut impl ContactBody<R>,
         b: &mut impl ContactBody<R>,
     ) -> ContactVector<R, M> {
+        let hold = |coupled: CoupledSlip<'_, R, F>| coupled.solve_sticking().ok();
+        self.take(friction, (a, b), hold)
+    }
+
+    /// Takes the impulse that obeys the contact's laws, applies its change to the bodies and returns it. Sliding and
+    /// rolling, where they are coupled, are what `solve` finds; in turn where it finds nothing.
+    #[inline(always)]
+    fn take<F: ContactFriction<R, Modes = M>>(
+        &mut self,
+        friction: &F,
+        (a, b): (&mut impl ContactBody<R>, &mut impl ContactBody<R>),
+        solve: impl FnOnce(CoupledSlip<'_, R, F>) -> Option<(TangentialLoad<R>, Vector3<R>)>,
+    ) -> ContactVector<R, M> {
         let velocity = self.velocity(a, b);
         let normal = self.normal_impulse(&velocity);
         let coupled = self.coupled(friction, &velocity, normal);
-        let held = coupled.and_then(|coupled| coupled.solve_sticking());
-        let new = match held {
-            Some(held) => Self::joined(normal, held),
+        let new = match coupled.and_then(solve) {
+            Some((held, rolling)) => ContactVector {
+                normal,
+                sliding: M::Sliding::of(held.sliding),
+                rolling: M::Rolling::of(rolling),
+                torsion: M::Torsion::of(held.torsion),
+            },
             None => self.solve_in_turn(friction, &velocity, normal),
         };
-        self.move_to(new, a, b)
-    }
-
-    /// Takes a new impulse, applies its change to the bodies and returns it.
-    #[inline(always)]
-    fn move_to(
-        &mut self,
-        new: ContactVector<R, M>,
-        a: &mut impl ContactBody<R>,
-        b: &mut impl ContactBody<R>,
-    ) -> ContactVector<R, M> {
         let change = new.minus(&self.impulse);
         self.impulse = new;
         self.apply(&change, a, b);
         change
-    }
-
-    /// The impulse that obeys the contact's laws, from the relative velocity under the present one.
-    #[inline(always)]
-    fn solve<F: ContactFriction<R, Modes = M>>(
-        &self,
-        friction: &F,
-        velocity: &ContactVector<R, M>,
-    ) -> ContactVector<R, M> {
-        let normal = self.normal_impulse(velocity);
-        match self.coupled(friction, velocity, normal) {
-            Some(coupled) => Self::joined(normal, coupled.solve()),
-            None => self.solve_in_turn(friction, velocity, normal),
-        }
     }
 
     /// Sliding and rolling under a normal impulse, if the two are coupled.
@@ -379,17 +368,6 @@ impl<R: Real, M: ContactModes<R>> Contact<R, M> {
         let bound = normal + self.step.cohesion;
         self.rolls_while_sliding()
             .then(|| CoupledSlip::new(friction, place, bound, &self.impulse, velocity))
-    }
-
-    /// The impulses of all modes.
-    #[inline(always)]
-    fn joined(normal: R, (held, rolling): (TangentialLoad<R>, Vector3<R>)) -> ContactVector<R, M> {
-        ContactVector {
-            normal,
-            sliding: M::Sliding::of(held.sliding),
-            rolling: M::Rolling::of(rolling),
-            torsion: M::Torsion::of(held.torsion),
-        }
     }
 
     /// The normal impulse that obeys its law.

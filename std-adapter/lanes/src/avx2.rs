@@ -118,17 +118,65 @@ impl Four for Register {
     fn any(self) -> bool {
         unsafe { _mm256_movemask_pd(self.0) != 0 }
     }
+    // Rows are read by halves: one unit of a processor alone moves numbers across a register.
     #[inline(always)]
-    fn transpose([a, b, c, d]: [Self; 4]) -> [Self; 4] {
-        let (ab, cd) = unsafe { (_mm256_unpacklo_pd(a.0, b.0), _mm256_unpacklo_pd(c.0, d.0)) };
-        let (ba, dc) = unsafe { (_mm256_unpackhi_pd(a.0, b.0), _mm256_unpackhi_pd(c.0, d.0)) };
+    fn columns([a, b, c, d]: [[f64; 4]; 4]) -> [Self; 4] {
+        let [ac, bd] = [
+            halves([a[0], a[1]], [c[0], c[1]]),
+            halves([b[0], b[1]], [d[0], d[1]]),
+        ];
+        let [ca, db] = [
+            halves([a[2], a[3]], [c[2], c[3]]),
+            halves([b[2], b[3]], [d[2], d[3]]),
+        ];
         unsafe {
             [
-                Self(_mm256_permute2f128_pd::<0x20>(ab, cd)),
-                Self(_mm256_permute2f128_pd::<0x20>(ba, dc)),
-                Self(_mm256_permute2f128_pd::<0x31>(ab, cd)),
-                Self(_mm256_permute2f128_pd::<0x31>(ba, dc)),
+                Self(_mm256_unpacklo_pd(ac, bd)),
+                Self(_mm256_unpackhi_pd(ac, bd)),
+                Self(_mm256_unpacklo_pd(ca, db)),
+                Self(_mm256_unpackhi_pd(ca, db)),
             ]
         }
     }
+    #[inline(always)]
+    fn rows([x, y, z, w]: [Self; 4]) -> [[f64; 4]; 4] {
+        let (ac, bd) = unsafe { (_mm256_unpacklo_pd(x.0, y.0), _mm256_unpackhi_pd(x.0, y.0)) };
+        let (ca, db) = unsafe { (_mm256_unpacklo_pd(z.0, w.0), _mm256_unpackhi_pd(z.0, w.0)) };
+        unsafe {
+            [
+                Self(_mm256_permute2f128_pd::<0x20>(ac, ca)).lanes(),
+                Self(_mm256_permute2f128_pd::<0x20>(bd, db)).lanes(),
+                Self(_mm256_permute2f128_pd::<0x31>(ac, ca)).lanes(),
+                Self(_mm256_permute2f128_pd::<0x31>(bd, db)).lanes(),
+            ]
+        }
+    }
+    #[inline(always)]
+    fn pairs([x, y]: [Self; 2]) -> [[f64; 2]; 4] {
+        let (ac, bd) = unsafe { (_mm256_unpacklo_pd(x.0, y.0), _mm256_unpackhi_pd(x.0, y.0)) };
+        [lower(ac), lower(bd), upper(ac), upper(bd)]
+    }
+}
+
+#[inline(always)]
+fn halves([a, b]: [f64; 2], [c, d]: [f64; 2]) -> __m256d {
+    unsafe {
+        _mm256_insertf128_pd::<1>(_mm256_castpd128_pd256(_mm_setr_pd(a, b)), _mm_setr_pd(c, d))
+    }
+}
+
+#[inline(always)]
+fn lower(register: __m256d) -> [f64; 2] {
+    let mut half = [0.0; 2];
+    // The store takes any alignment and writes exactly two numbers.
+    unsafe { _mm_storeu_pd(half.as_mut_ptr(), _mm256_castpd256_pd128(register)) };
+    half
+}
+
+#[inline(always)]
+fn upper(register: __m256d) -> [f64; 2] {
+    let mut half = [0.0; 2];
+    // As above.
+    unsafe { _mm_storeu_pd(half.as_mut_ptr(), _mm256_extractf128_pd::<1>(register)) };
+    half
 }

@@ -60,19 +60,30 @@ pub trait Four:
     fn any(self) -> bool;
     /// The columns of four rows.
     #[inline(always)]
-    fn transpose(rows: [Self; 4]) -> [Self; 4] {
-        let [a, b, c, d] = [
-            rows[0].lanes(),
-            rows[1].lanes(),
-            rows[2].lanes(),
-            rows[3].lanes(),
-        ];
+    fn columns([a, b, c, d]: [[f64; 4]; 4]) -> [Self; 4] {
         [
             Self::new([a[0], b[0], c[0], d[0]]),
             Self::new([a[1], b[1], c[1], d[1]]),
             Self::new([a[2], b[2], c[2], d[2]]),
             Self::new([a[3], b[3], c[3], d[3]]),
         ]
+    }
+    /// The rows of four columns.
+    #[inline(always)]
+    fn rows([x, y, z, w]: [Self; 4]) -> [[f64; 4]; 4] {
+        let [x, y, z, w] = [x.lanes(), y.lanes(), z.lanes(), w.lanes()];
+        [
+            [x[0], y[0], z[0], w[0]],
+            [x[1], y[1], z[1], w[1]],
+            [x[2], y[2], z[2], w[2]],
+            [x[3], y[3], z[3], w[3]],
+        ]
+    }
+    /// The rows of two columns.
+    #[inline(always)]
+    fn pairs([x, y]: [Self; 2]) -> [[f64; 2]; 4] {
+        let [x, y] = [x.lanes(), y.lanes()];
+        [[x[0], y[0]], [x[1], y[1]], [x[2], y[2]], [x[3], y[3]]]
     }
 }
 
@@ -141,8 +152,10 @@ mod tests {
                     let all = selected.chain(numbers).chain([x.copysign(y)]);
                     found.extend(all.map(|lanes| lanes.lanes().map(bits)));
                     found.push([u64::from(less.any()); 4]);
-                    let turned = L::transpose([x, y, x + y, x * y]);
-                    found.extend(turned.map(|lanes| lanes.lanes().map(bits)));
+                    let rows = L::rows([x, y, x + y, x * y]);
+                    found.extend(rows.map(|row| row.map(bits)));
+                    found.extend(L::columns(rows).map(|lanes| lanes.lanes().map(bits)));
+                    found.extend(L::pairs([x, y]).map(|[x, y]| [x, y, x, y].map(bits)));
                 }
             }
             found
@@ -178,12 +191,14 @@ mod tests {
         // And those of the scalar operations.
         let found = run(All(numbers));
         let (a, b) = (numbers[8], numbers[3]);
-        let at = 19 * (8 * 12 + 3) + 6;
+        let at = 27 * (8 * 12 + 3) + 6;
         let wanted = [a + b, a - b, a * b, a / b, -a, a.sqrt(), a.abs()];
         for (lanes, wanted) in found[at..].iter().zip(wanted) {
             assert_eq!(lanes[0], wanted.to_bits());
         }
         let first = [a, b, a + b, a * b];
         assert_eq!(found[at + 9], first.map(f64::to_bits));
+        assert_eq!(found[at + 13], [a, b, 1.0, a].map(f64::to_bits));
+        assert_eq!(found[at + 17], [a, b, a, b].map(f64::to_bits));
     }
 }

@@ -8,8 +8,7 @@ use super::operator::{Impulse, Monitor, Operator, Visit};
 use super::pairs::Pairs;
 use super::schedule::Schedule;
 use super::sweep::{
-    AHEAD, Stretch, SweepDirection, WORTHWHILE, fetch, solve_one, sweep_images, sweep_pairs,
-    visit_plate,
+    AHEAD, Stretch, SweepDirection, WORTHWHILE, fetch, solve_one, sweep_images, sweep_pairs, visit,
 };
 use super::vectors::Constants;
 use rayon::prelude::*;
@@ -445,7 +444,10 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         };
         let [a, b] = link.bodies.map(|body| body as usize);
         if let (Some(a), Some(b)) = (self.spheres.get_mut(a), self.plates.get_mut(b)) {
-            visit_plate(&mut link.contact, swept, friction, &mut a.0, b).tell(watch);
+            // A sphere that sticks is held by one visit.
+            let hold =
+                |contact: &mut Contact<_, _>| contact.hold_or_take_turn(friction, &mut a.0, b);
+            visit(&mut link.contact, swept, hold).tell(watch);
         }
     }
 }

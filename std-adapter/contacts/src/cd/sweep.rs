@@ -9,7 +9,7 @@ use super::pairs::View;
 use super::quads::{LANES, Quad};
 use super::vectors::Constants;
 use std::ops::Range;
-use tribos_core::contact::{Contact, ContactBody, ContactFriction, ContactModes, ContactVector};
+use tribos_core::contact::{Contact, ContactFriction, ContactModes, ContactVector};
 use tribos_lanes::{Four, Task};
 use tribos_prefetch::prefetch;
 
@@ -168,7 +168,8 @@ pub(super) fn solve_one<F: ContactFriction<f64>, W: Monitor>(
     let bodies = numbers.map(|body| (body - first) as usize);
     if let Ok([a, b]) = spheres.get_disjoint_mut(bodies) {
         let friction = friction.of(numbers);
-        visit(&mut contact, swept, friction, &mut a.0, &mut b.0).tell(watch);
+        let turn = |contact: &mut Contact<_, _>| contact.take_turn(friction, &mut a.0, &mut b.0);
+        visit(&mut contact, swept, turn).tell(watch);
         *impulse = *contact.impulse();
     }
 }
@@ -192,45 +193,23 @@ impl PairRecord {
     }
 }
 
-/// Solves a contact for one turn; the step before led from `swept` to its impulse.
+/// Lets a contact take a change, and records it; the step before led from `swept` to the contact's impulse.
 #[inline(always)]
-pub(super) fn visit<F: ContactFriction<f64>>(
-    contact: &mut Contact<f64, F::Modes>,
-    swept: Option<&ContactVector<f64, F::Modes>>,
-    friction: &F,
-    a: &mut impl ContactBody<f64>,
-    b: &mut impl ContactBody<f64>,
+pub(super) fn visit<M: ContactModes<f64>>(
+    contact: &mut Contact<f64, M>,
+    swept: Option<&ContactVector<f64, M>>,
+    take: impl FnOnce(&mut Contact<f64, M>) -> ContactVector<f64, M>,
 ) -> PairRecord {
     let before = swept.map(|swept| contact.impulse().minus(swept));
-    let change = contact.take_turn(friction, a, b);
-    seen(contact, before, &change)
-}
-
-/// [`visit`] for a plate, where a sphere that sticks is held at once.
-#[inline(always)]
-pub(super) fn visit_plate<F: ContactFriction<f64>>(
-    contact: &mut Contact<f64, F::Modes>,
-    swept: Option<&ContactVector<f64, F::Modes>>,
-    friction: &F,
-    a: &mut impl ContactBody<f64>,
-    b: &mut impl ContactBody<f64>,
-) -> PairRecord {
-    let before = swept.map(|swept| contact.impulse().minus(swept));
-    let change = contact.hold_or_take_turn(friction, a, b);
-    seen(contact, before, &change)
-}
-
-/// What a monitor records of a change and of the step before.
-#[inline(always)]
-fn seen<M: ContactModes<f64>>(
-    contact: &Contact<f64, M>,
-    before: Option<ContactVector<f64, M>>,
-    change: &ContactVector<f64, M>,
-) -> PairRecord {
+    let change = take(contact);
     let lever = contact.effective_radius();
     let speed = change.normal.abs() / contact.block().mass_normal;
     PairRecord {
-        change: [change.dot_with_lever(change, lever), contact.bound(), speed],
+        change: [
+            change.dot_with_lever(&change, lever),
+            contact.bound(),
+            speed,
+        ],
         along: before.map(|before| change.dot_with_lever(&before, lever)),
     }
 }
@@ -343,8 +322,9 @@ pub(super) fn sweep_images<F: ContactFriction<f64>, W: Monitor>(
                 let (velocity, friction) = (*velocity, friction.of(numbers));
                 let sphere = &mut sphere.0;
                 let mut image = Image { sphere, velocity };
-                let seen = visit(&mut contact, swept.get(own), friction, &mut a.0, &mut image);
-                seen.tell(watch);
+                let turn =
+                    |contact: &mut Contact<_, _>| contact.take_turn(friction, &mut a.0, &mut image);
+                visit(&mut contact, swept.get(own), turn).tell(watch);
                 *impulse = *contact.impulse();
             }
         };

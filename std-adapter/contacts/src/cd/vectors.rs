@@ -41,13 +41,13 @@ impl<L: Four> Impulses<L> {
     pub fn read<M: ContactModes<f64>>([a, b, c, d]: [&ContactVector<f64, M>; 4]) -> Self {
         let mut read = Self::zero();
         if M::Sliding::PRESENT {
-            let [normal, x, y, z] = L::transpose([forces(a), forces(b), forces(c), forces(d)]);
+            let [normal, x, y, z] = L::columns([forces(a), forces(b), forces(c), forces(d)]);
             (read.normal, read.sliding) = (normal, [x, y, z]);
         } else {
             read.normal = L::new([a.normal, b.normal, c.normal, d.normal]);
         }
         if M::Rolling::PRESENT {
-            let [x, y, z, torsion] = L::transpose([torques(a), torques(b), torques(c), torques(d)]);
+            let [x, y, z, torsion] = L::columns([torques(a), torques(b), torques(c), torques(d)]);
             (read.rolling, read.torsion) = ([x, y, z], torsion);
         } else if M::Torsion::PRESENT {
             read.torsion = L::new([a.torsion(), b.torsion(), c.torsion(), d.torsion()]);
@@ -97,7 +97,7 @@ impl<L: Four> Impulses<L> {
     pub fn write<M: ContactModes<f64>>(self) -> [ContactVector<f64, M>; 4] {
         let [x, y, z] = self.sliding;
         let forces = if M::Sliding::PRESENT {
-            rows([self.normal, x, y, z])
+            L::rows([self.normal, x, y, z])
         } else {
             let [a, b, c, d] = self.normal.lanes();
             let row = |normal| [normal, 0.0, 0.0, 0.0];
@@ -105,7 +105,7 @@ impl<L: Four> Impulses<L> {
         };
         let [x, y, z] = self.rolling;
         let torques = if M::Rolling::PRESENT {
-            rows([x, y, z, self.torsion])
+            L::rows([x, y, z, self.torsion])
         } else {
             let [a, b, c, d] = self.torsion.lanes();
             let row = |torsion| [0.0, 0.0, 0.0, torsion];
@@ -127,16 +127,16 @@ impl<L: Four> Impulses<L> {
 
 /// Normal impulse and sliding.
 #[inline(always)]
-fn forces<L: Four, M: ContactModes<f64>>(one: &ContactVector<f64, M>) -> L {
+fn forces<M: ContactModes<f64>>(one: &ContactVector<f64, M>) -> [f64; 4] {
     let sliding = one.sliding();
-    L::new([one.normal, sliding.x, sliding.y, sliding.z])
+    [one.normal, sliding.x, sliding.y, sliding.z]
 }
 
 /// Rolling and torsion.
 #[inline(always)]
-fn torques<L: Four, M: ContactModes<f64>>(one: &ContactVector<f64, M>) -> L {
+fn torques<M: ContactModes<f64>>(one: &ContactVector<f64, M>) -> [f64; 4] {
     let rolling = one.rolling();
-    L::new([rolling.x, rolling.y, rolling.z, one.torsion()])
+    [rolling.x, rolling.y, rolling.z, one.torsion()]
 }
 
 /// Four spheres in motion.
@@ -154,9 +154,9 @@ impl<L: Four> Bodies<L> {
     pub fn read(spheres: &[Aligned], [a, b, c, d]: [usize; 4]) -> Option<Self> {
         let (a, b) = (spheres.get(a)?, spheres.get(b)?);
         let (c, d) = (spheres.get(c)?, spheres.get(d)?);
-        let [vx, vy, vz, wx] = L::transpose([first(a), first(b), first(c), first(d)]);
+        let [vx, vy, vz, wx] = L::columns([first(a), first(b), first(c), first(d)]);
         let [wy, wz, inv_mass, inv_inertia] =
-            L::transpose([second(a), second(b), second(c), second(d)]);
+            L::columns([second(a), second(b), second(c), second(d)]);
         Some(Self {
             velocity: [vx, vy, vz],
             spin: [wx, wy, wz],
@@ -165,25 +165,18 @@ impl<L: Four> Bodies<L> {
         })
     }
 
-    /// Gives the spheres at four places these velocities and, where these have `turned`, these spins; their inverses
-    /// are written back as they were.
+    /// Gives the spheres at four places these velocities and, where these have `turned`, these spins.
     #[inline(always)]
     pub fn write(self, spheres: &mut [Aligned], places: [usize; 4], turned: bool) {
         let ([vx, vy, vz], [wx, wy, wz]) = (self.velocity, self.spin);
-        let first = rows([vx, vy, vz, wx]);
-        let second = if turned {
-            rows([wy, wz, self.inv_mass, self.inv_inertia])
-        } else {
-            first
-        };
+        let (first, second) = (L::rows([vx, vy, vz, wx]), L::pairs([wy, wz]));
         for lane in 0..4 {
             if let Some(sphere) = spheres.get_mut(places[lane]) {
                 let [x, y, z, spin] = first[lane];
                 sphere.velocity = Vector3::new(x, y, z);
                 if turned {
-                    let [y, z, inv_mass, inv_inertia] = second[lane];
+                    let [y, z] = second[lane];
                     sphere.spin = Vector3::new(spin, y, z);
-                    (sphere.inv_mass, sphere.inv_inertia) = (inv_mass, inv_inertia);
                 }
             }
         }
@@ -192,22 +185,15 @@ impl<L: Four> Bodies<L> {
 
 /// First half of a sphere: velocity and x of the spin.
 #[inline(always)]
-fn first<L: Four>(one: &Aligned) -> L {
+fn first(one: &Aligned) -> [f64; 4] {
     let velocity = &one.velocity;
-    L::new([velocity.x, velocity.y, velocity.z, one.spin.x])
+    [velocity.x, velocity.y, velocity.z, one.spin.x]
 }
 
 /// Second half: y and z of the spin, the inverses.
 #[inline(always)]
-fn second<L: Four>(one: &Aligned) -> L {
-    L::new([one.spin.y, one.spin.z, one.inv_mass, one.inv_inertia])
-}
-
-/// The numbers of four columns, row by row.
-#[inline(always)]
-fn rows<L: Four>(columns: [L; 4]) -> [[f64; 4]; 4] {
-    let [a, b, c, d] = L::transpose(columns);
-    [a.lanes(), b.lanes(), c.lanes(), d.lanes()]
+fn second(one: &Aligned) -> [f64; 4] {
+    [one.spin.y, one.spin.z, one.inv_mass, one.inv_inertia]
 }
 
 #[inline(always)]
