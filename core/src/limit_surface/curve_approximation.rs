@@ -40,6 +40,10 @@ const WEIGHTS: [[f64; TERMS]; TERMS] = [
     [-44.171_783_697_496_88, 120.679_557_322_504_11, -164.851_341_020_001, 164.851_341_020_001, -120.679_557_322_504_11, 44.171_783_697_496_88],
 ];
 
+/// A step along the approximation that another one follows: the cube of a shorter one is below the approximation's own
+/// error. Where both components weigh the same none was longer than 0.029.
+const LONG: f64 = 0.03;
+
 /// (2n + 1)/(2n + 2): what a term of m/h is in the loss of M.
 const SHARES: [f64; TERMS] = [
     1.0 / 2.0,
@@ -181,7 +185,13 @@ impl<L: Numbers> CurveApproximation<L> {
         let chord = -(value / both);
         let bend = cubic * chord * chord;
         let first = (L::splat(2.0) * bend * chord - value) / (linear + L::splat(3.0) * bend);
-        self.stepped(kept(first, chord), equation)
+        let first = kept(first, chord);
+        let second = self.stepped(first, equation);
+        let is_long = L::constant(LONG).below((second - first).abs());
+        if !L::any(is_long) {
+            return second;
+        }
+        L::select(is_long, self.stepped(second, equation), second)
     }
 
     /// The ratio after a step of Chebyshev's on the approximation, which leaves the cube of what was missing.
