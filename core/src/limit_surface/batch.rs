@@ -160,7 +160,8 @@ impl<'a, R: Real, C: DryReducedFriction<R>> Group<'a, R, C> {
             R::SideBySide::repeat(least).below(force.smaller(turn).smaller(limit)),
             sum.below(R::SideBySide::repeat(R::ONE / least)),
         );
-        let is_known = R::SideBySide::all(is_plain) || is_known([x, y, torque], lengths, limit);
+        let is_known =
+            R::SideBySide::all(is_plain) || is_known::<R>([x, y, torque], lengths, limit);
         is_known.then_some(Self { set, pair, lengths })
     }
 

@@ -141,16 +141,19 @@ impl<L: Numbers> CurveApproximation<L> {
     #[inline(always)]
     fn at(&self, ratio: L) -> (CurvePoint<L>, L) {
         let (x, two) = (ratio * ratio, L::splat(2.0));
-        let [.., last] = self.terms;
-        // m/h with its first derivative and half of its second, and the loss of M.
-        let mut sum = last;
-        let (mut slope, mut bend) = (L::splat(0.0), L::splat(0.0));
-        let mut loss = last * L::constant(SHARES[TERMS - 1]);
-        for n in (0..TERMS - 1).rev() {
+        let [a, b, c, d, e, f] = self.terms;
+        // m/h with its first derivative and half of its second.
+        let sum = f * x + e;
+        let (mut bend, mut slope, mut sum) = (f, f * x + sum, sum * x + d);
+        for term in [c, b, a] {
             bend = bend * x + slope;
             slope = slope * x + sum;
-            sum = sum * x + self.terms[n];
-            loss = loss * x + self.terms[n] * L::constant(SHARES[n]);
+            sum = sum * x + term;
+        }
+        let [p, q, r, s, t, u] = SHARES;
+        let mut loss = f * L::constant(u);
+        for (term, share) in [(e, t), (d, s), (c, r), (b, q), (a, p)] {
+            loss = loss * x + term * L::constant(share);
         }
         let turn = L::splat(6.0) * slope + L::splat(8.0) * x * bend;
         let point = CurvePoint {
