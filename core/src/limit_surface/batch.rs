@@ -153,16 +153,16 @@ impl<'a, R: Real, C: DryReducedFriction<R>> Group<'a, R, C> {
         let [x, y, torque] = wrench;
         let pair = AxisymmetricPair::of_ordinary(wrench);
         let lengths = set.lengths(&pair);
-        let ([force, turn], zero) = (lengths, R::SideBySide::splat(0.0));
-        // Over a large radius a torque may vanish.
-        let is_kept = R::SideBySide::either(zero.below(turn), torque.abs().at_most(zero));
-        let sizes = R::SideBySide::both(
-            R::SideBySide::both(is_ordinary_planar(x, y), is_ordinary(force)),
-            R::SideBySide::both(is_ordinary(turn), is_kept),
+        let ([force, turn], limit) = (lengths, set.force_limit);
+        // Mostly nothing is zero or near the ends of the range.
+        let (least, sum) = (R::TWO * R::LEAST_SPEED, force + turn + limit);
+        let is_plain = R::SideBySide::both(
+            R::SideBySide::repeat(least).below(force.smaller(turn).smaller(limit)),
+            sum.below(R::SideBySide::repeat(R::ONE / least)),
         );
-        let limits = R::SideBySide::both(is_ordinary(set.force_limit), zero.below(set.force_limit));
-        let is_known = R::SideBySide::both(sizes, limits);
-        R::SideBySide::all(is_known).then_some(Self { set, pair, lengths })
+        let is_known =
+            R::SideBySide::all(is_plain) || is_known::<R>([x, y, torque], lengths, limit);
+        is_known.then_some(Self { set, pair, lengths })
     }
 
     #[inline(always)]
@@ -210,24 +210,27 @@ impl<'a, R: Real, C: DryReducedFriction<R>> Group<'a, R, C> {
             normal,
             side,
         } = self.set.project(&curve, &self.pair, length);
-        let side = R::SideBySide::select(is_deep, R::SideBySide::splat(1.0), side).to_array();
         let (wrench, normal) = (wrench.map(Numbers::to_array), normal.map(Numbers::to_array));
-        let limits = self.set.force_limit.to_array();
-        let lanes = rows(&wrench).zip(rows(&normal)).zip(side.as_ref());
-        let given = wrenches.iter().zip(limits.as_ref());
-        for ((projection, (given, limit)), (([x, y, torque], [vx, vy, spin]), side)) in
-            projections.iter_mut().zip(given).zip(lanes)
-        {
-            *projection = if *side > R::ZERO {
-                inside(given)
-            } else {
-                let normal = Twist::new(vx, vy, spin);
-                Projection {
-                    wrench: Wrench::new(x, y, torque),
-                    region: Region::OnSurface { normal },
-                }
+        let lanes = rows(&wrench).zip(rows(&normal));
+        for (projection, ([x, y, torque], [vx, vy, spin])) in projections.iter_mut().zip(lanes) {
+            let normal = Twist::new(vx, vy, spin);
+            *projection = Projection {
+                wrench: Wrench::new(x, y, torque),
+                region: Region::OnSurface { normal },
             };
-            if *side == R::ZERO {
+        }
+        let none = R::SideBySide::splat(0.0);
+        let side = R::SideBySide::select(is_deep, R::SideBySide::splat(1.0), side);
+        if R::SideBySide::all(side.below(none)) {
+            return;
+        }
+        let (side, limits) = (side.to_array(), self.set.force_limit.to_array());
+        let lanes = side.as_ref().iter().zip(limits.as_ref());
+        for ((projection, given), (side, limit)) in projections.iter_mut().zip(wrenches).zip(lanes)
+        {
+            if *side > R::ZERO {
+                *projection = inside(given);
+            } else if *side == R::ZERO {
                 let alone = ScaledCurve {
                     meridian: self.set.meridian,
                     force_limit: R::Alone::repeat(*limit),
@@ -237,6 +240,24 @@ impl<'a, R: Real, C: DryReducedFriction<R>> Group<'a, R, C> {
             }
         }
     }
+}
+
+/// True of wrenches, lengths and limits that the searches side by side take as those alone do.
+#[cold]
+fn is_known<R: Real>(
+    [x, y, torque]: [R::SideBySide; 3],
+    [force, turn]: [R::SideBySide; 2],
+    limit: R::SideBySide,
+) -> bool {
+    let zero = R::SideBySide::splat(0.0);
+    // Over a large radius a torque may vanish.
+    let is_kept = R::SideBySide::either(zero.below(turn), torque.abs().at_most(zero));
+    let sizes = R::SideBySide::both(
+        R::SideBySide::both(is_ordinary_planar(x, y), is_ordinary(force)),
+        R::SideBySide::both(is_ordinary(turn), is_kept),
+    );
+    let limits = R::SideBySide::both(is_ordinary(limit), zero.below(limit));
+    R::SideBySide::all(R::SideBySide::both(sizes, limits))
 }
 
 /// A group's loads, all 1 where there are none, and its wrenches.

@@ -5,6 +5,7 @@
 //!
 //! ```text
 //! m = 2h dD/dx,      M = D − h m,      dm/dh = 2 dD/dx + 4x d²D/dx²
+//! m = h Σ aₙ xⁿ      M = top − x Σ (2n + 1)/(2n + 2) aₙ xⁿ
 //! ```
 //!
 //! The polynomial of degree 5 that has the coupling's m/h at the six points of Chebyshev is right to 1e-4 on the
@@ -39,17 +40,27 @@ const WEIGHTS: [[f64; TERMS]; TERMS] = [
     [-44.171_783_697_496_88, 120.679_557_322_504_11, -164.851_341_020_001, 164.851_341_020_001, -120.679_557_322_504_11, 44.171_783_697_496_88],
 ];
 
-/// A step along the approximation that another one follows: the square of a shorter one is the approximation's own
-/// error.
-const LONG: f64 = 0.01;
+/// A step along the approximation that another one follows: the cube of a shorter one is below the approximation's own
+/// error. Where both components weigh the same none was longer than 0.029.
+const LONG: f64 = 0.03;
+
+/// (2n + 1)/(2n + 2): what a term of m/h is in the loss of M.
+const SHARES: [f64; TERMS] = [
+    1.0 / 2.0,
+    3.0 / 4.0,
+    5.0 / 6.0,
+    7.0 / 8.0,
+    9.0 / 10.0,
+    11.0 / 12.0,
+];
 
 /// The polynomials where one of the speeds leads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct CurveApproximation<R> {
     /// M at the pole.
     top: R,
-    /// m/h and (top − M)/x by powers of x.
-    terms: [[R; 2]; TERMS],
+    /// m/h by powers of x.
+    terms: [R; TERMS],
     /// M and m at equal speeds.
     equal: [R; 2],
 }
@@ -63,14 +74,11 @@ impl<R: Real> CurveApproximation<R> {
         equal: [R; 2],
     ) -> Self {
         let powers = coupling.minor_powers(lead);
-        let powers = powers.unwrap_or_else(|| fitted_powers(coupling, lead));
-        let mut degree = R::ZERO;
-        let terms = powers.map(|power| {
-            // h m − ∫ m dh
-            degree += R::TWO;
-            [power, power * (degree - R::ONE) / degree]
-        });
-        Self { top, terms, equal }
+        Self {
+            top,
+            terms: powers.unwrap_or_else(|| fitted_powers(coupling, lead)),
+            equal,
+        }
     }
 }
 
@@ -101,20 +109,22 @@ impl<L: Numbers> CurveApproximation<L> {
     {
         let [sliding, spinning] = of;
         let choose = |one: R, other: R| L::select(slides, L::repeat(one), L::repeat(other));
-        let pair = |[a, b]: [R; 2], [c, d]: [R; 2]| [choose(a, c), choose(b, d)];
         let [a, b, c, d, e, f] = sliding.terms;
         let [p, q, r, s, t, u] = spinning.terms;
+        let [major, minor] = sliding.equal;
+        let [other_major, other_minor] = spinning.equal;
         Self {
             top: choose(sliding.top, spinning.top),
+            // One after the other: a mapped array would call a function for each.
             terms: [
-                pair(a, p),
-                pair(b, q),
-                pair(c, r),
-                pair(d, s),
-                pair(e, t),
-                pair(f, u),
+                choose(a, p),
+                choose(b, q),
+                choose(c, r),
+                choose(d, s),
+                choose(e, t),
+                choose(f, u),
             ],
-            equal: pair(sliding.equal, spinning.equal),
+            equal: [choose(major, other_major), choose(minor, other_minor)],
         }
     }
 
@@ -122,26 +132,36 @@ impl<L: Numbers> CurveApproximation<L> {
     #[inline(always)]
     fn on_ellipse(&self, slope: L) -> L {
         let [major, minor] = self.equal;
-        let [[pole_rate, _], ..] = self.terms;
+        let [pole_rate, ..] = self.terms;
         let at_pole = pole_rate / self.top;
         slope / (at_pole + (L::splat(1.0) - at_pole * major / minor) * slope)
     }
 
-    /// The point at a ratio of speeds.
+    /// The point at a ratio of speeds, and d²m/dh² there.
     #[inline(always)]
-    fn at(&self, ratio: L) -> CurvePoint<L> {
-        let x = ratio * ratio;
+    fn at(&self, ratio: L) -> (CurvePoint<L>, L) {
+        let (x, two) = (ratio * ratio, L::splat(2.0));
         let [a, b, c, d, e, f] = self.terms;
-        let (mut sums, mut slope) = (f, L::splat(0.0));
-        for [minor, loss] in [e, d, c, b, a] {
-            slope = slope * x + sums[0];
-            sums = [sums[0] * x + minor, sums[1] * x + loss];
+        // m/h with its first derivative and half of its second.
+        let sum = f * x + e;
+        let (mut bend, mut slope, mut sum) = (f, f * x + sum, sum * x + d);
+        for term in [c, b, a] {
+            bend = bend * x + slope;
+            slope = slope * x + sum;
+            sum = sum * x + term;
         }
-        CurvePoint {
-            major: self.top - x * sums[1],
-            minor: ratio * sums[0],
-            rate: sums[0] + L::splat(2.0) * x * slope,
+        let [p, q, r, s, t, u] = SHARES;
+        let mut loss = f * L::constant(u);
+        for (term, share) in [(e, t), (d, s), (c, r), (b, q), (a, p)] {
+            loss = loss * x + term * L::constant(share);
         }
+        let turn = L::splat(6.0) * slope + L::splat(8.0) * x * bend;
+        let point = CurvePoint {
+            major: self.top - x * loss,
+            minor: ratio * sum,
+            rate: sum + two * x * slope,
+        };
+        (point, ratio * turn)
     }
 
     /// h on the ray of a point, whose larger component leads.
@@ -159,7 +179,7 @@ impl<L: Numbers> CurveApproximation<L> {
             weight,
         } = *equation;
         let [equal_major, equal_minor] = self.equal;
-        let [[pole_rate, _], ..] = self.terms;
+        let [pole_rate, ..] = self.terms;
         // A cubic h + h³ with the value and the slope at the pole and the value at equal speeds.
         let value = -(weight * minor);
         let linear = major - self.top + weight * pole_rate;
@@ -177,11 +197,15 @@ impl<L: Numbers> CurveApproximation<L> {
         L::select(is_long, self.stepped(second, equation), second)
     }
 
-    /// The ratio after a Newton step on the approximation.
+    /// The ratio after a step of Chebyshev's on the approximation, which leaves the cube of what was missing.
     #[inline(always)]
     fn stepped(&self, ratio: L, equation: &impl Equation<L>) -> L {
-        let [value, rate] = equation.at(ratio, &self.at(ratio));
-        kept(ratio - value / rate, ratio)
+        let (point, bend) = self.at(ratio);
+        let [value, rate] = equation.at(ratio, &point);
+        let per_rate = L::splat(1.0) / rate;
+        let newton = value * per_rate;
+        let bent = L::splat(0.5) * equation.bend(ratio, &point, bend) * per_rate;
+        kept(ratio - newton * (L::splat(1.0) + newton * bent), ratio)
     }
 }
 

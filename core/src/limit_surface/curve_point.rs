@@ -15,6 +15,8 @@ pub(super) struct CurvePoint<L> {
 pub(super) trait Equation<L> {
     /// Its value and its rate.
     fn at(&self, ratio: L, point: &CurvePoint<L>) -> [L; 2];
+    /// The rate of its rate, of d²m/dh².
+    fn bend(&self, ratio: L, point: &CurvePoint<L>, bend: L) -> L;
 }
 
 /// A m − a M: the point (m, M) lies on the ray of (a, A).
@@ -41,6 +43,11 @@ impl<L: Numbers> Equation<L> for OnRay<L> {
             (major + minor * ratio) * point.rate,
         ]
     }
+    #[inline(always)]
+    fn bend(&self, ratio: L, point: &CurvePoint<L>, bend: L) -> L {
+        let [major, minor] = self.given;
+        minor * point.rate + (major + minor * ratio) * bend
+    }
 }
 
 impl<L: Numbers> Equation<L> for AlongNormal<L> {
@@ -52,5 +59,9 @@ impl<L: Numbers> Equation<L> for AlongNormal<L> {
             ahead * ratio - self.weight * (minor - point.minor),
             ahead + (ratio * ratio + self.weight) * point.rate,
         ]
+    }
+    #[inline(always)]
+    fn bend(&self, ratio: L, point: &CurvePoint<L>, bend: L) -> L {
+        L::splat(3.0) * ratio * point.rate + (ratio * ratio + self.weight) * bend
     }
 }

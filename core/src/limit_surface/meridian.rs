@@ -79,10 +79,13 @@ impl<R: Real, C: DryReducedFriction<R>> Curve<R::Alone> for Alone<'_, R, C> {
         curve_point(point.map(R::Alone::repeat))
     }
     #[inline(always)]
-    fn rough_point(&self, slides: bool, ratio: R::Alone) -> Option<CurvePoint<R::Alone>> {
-        let [ratio] = ratio.to_array();
-        let point = self.0.coupling.rough_point(lead(slides), ratio)?;
-        Some(curve_point(point.map(R::Alone::repeat)))
+    fn first_point(&self, slides: bool, ratio: R::Alone) -> Option<CurvePoint<R::Alone>> {
+        let [number] = ratio.to_array();
+        match self.0.coupling.rough_point(lead(slides), number) {
+            Some(point) => Some(curve_point(point.map(R::Alone::repeat))),
+            None if R::IS_SINGLE && self.is_smooth() => None,
+            None => Some(self.point(slides, ratio)),
+        }
     }
     #[inline(always)]
     fn is_smooth(&self) -> bool {
@@ -100,12 +103,16 @@ impl<R: Real, C: DryReducedFriction<R>> Curve<R::SideBySide> for SideBySide<'_, 
         curve_point(self.0.coupling.reduced_points(slides, ratio))
     }
     #[inline(always)]
-    fn rough_point(
+    fn first_point(
         &self,
         slides: <R::SideBySide as Lanes>::Mask,
         ratio: R::SideBySide,
     ) -> Option<CurvePoint<R::SideBySide>> {
-        self.0.coupling.rough_points(slides, ratio).map(curve_point)
+        match self.0.coupling.rough_points(slides, ratio) {
+            Some(point) => Some(curve_point(point)),
+            None if R::IS_SINGLE && self.is_smooth() => None,
+            None => Some(self.point(slides, ratio)),
+        }
     }
     #[inline(always)]
     fn is_smooth(&self) -> bool {

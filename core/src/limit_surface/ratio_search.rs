@@ -14,14 +14,15 @@ const MAX_STEPS: u32 = 64;
 const SETTLED_ULPS: f64 = 256.0;
 /// Share of a rounding error that an end may be off.
 const SHARE: f64 = 0.125;
-/// The same of the square of a step, of which the next one is about a quarter at most along a smooth curve.
+/// The same of the square of a step, of which the next one is about a quarter at most.
 const SQUARE_SHARE: f64 = 0.5;
 
 /// A curve whose points are computed for numbers alone or side by side.
 pub(super) trait Curve<L: Numbers> {
     fn point(&self, slides: L::Mask, ratio: L) -> CurvePoint<L>;
-    /// Half of the digits; nothing where they cost as much as all.
-    fn rough_point(&self, slides: L::Mask, ratio: L) -> Option<CurvePoint<L>>;
+    /// A point from which a step leads next to the end, in half of the digits where they cost less; nothing where the
+    /// start is near enough.
+    fn first_point(&self, slides: L::Mask, ratio: L) -> Option<CurvePoint<L>>;
     /// True if a step leaves at most its square.
     fn is_smooth(&self) -> bool;
 }
@@ -37,12 +38,55 @@ pub(super) struct SearchEnd<L> {
     pub power: L,
 }
 
+impl<L: Numbers> SearchEnd<L> {
+    /// The last step moves the point along the curve: dM/dh = −h dm/dh.
+    #[inline(always)]
+    fn after(step: L, ratio: L, at: &CurvePoint<L>) -> Self {
+        let change = at.rate * step;
+        Self {
+            before: ratio,
+            power: at.major + ratio * at.minor,
+            ratio: ratio + step,
+            major: at.major - (ratio + L::splat(0.5) * step) * change,
+            minor: at.minor + change,
+        }
+    }
+}
+
+/// True where a Newton step to this ratio is the last one; `before` is the step that led to where it starts.
+#[inline(always)]
+fn is_last<R: Real, L: Numbers<Real = R>>(
+    is_smooth: bool,
+    step: L,
+    newton: L,
+    before: L,
+) -> L::Mask {
+    let square = step * step;
+    let is_short = square.at_most(L::repeat(R::from_f64(SQUARE_SHARE) * R::EPSILON));
+    if is_smooth {
+        return is_short;
+    }
+    // A step is the square of the one before times a constant, and so is the next one.
+    let (next, share) = (step.abs() * square, R::from_f64(SHARE) * R::EPSILON);
+    let is_next_none = next.at_most(L::repeat(share) * (before * before * newton));
+    L::either(
+        step.abs().at_most(settled(newton)),
+        L::both(is_next_none, is_short),
+    )
+}
+
+/// What is known to rounding of a ratio.
+#[inline(always)]
+fn settled<R: Real, L: Numbers<Real = R>>(ratio: L) -> L {
+    L::repeat(R::from_f64(SETTLED_ULPS) * R::EPSILON) * ratio
+}
+
 /// Bracket and next ratio of a search.
 struct RatioSearch<L> {
     low: L,
     high: L,
     ratio: L,
-    /// The Newton step that led there, 0 if none did; infinite on a smooth curve, whose steps need no such judge.
+    /// The Newton step that led there, 0 if none did.
     before: L,
     is_smooth: bool,
 }
@@ -55,7 +99,6 @@ impl<L: Numbers> RatioSearch<L> {
         L: Numbers<Real = R>,
     {
         let zero = L::splat(0.0);
-        let settled = L::repeat(R::from_f64(SETTLED_ULPS) * R::EPSILON);
         let is_below = value.below(zero);
         self.low = L::select(is_below, self.ratio, self.low);
         self.high = L::select(is_below, self.high, self.ratio);
@@ -65,24 +108,12 @@ impl<L: Numbers> RatioSearch<L> {
             rate.abs().below(L::repeat(R::INFINITY)),
             newton.is_within(self.low, self.high),
         );
-        // A step is the square of the one before times a constant, and so is the next one.
-        let square = step * step;
-        let next = step.abs() * square;
-        let is_last = L::either(
-            step.abs().at_most(settled * newton),
-            L::both(
-                next.at_most(
-                    L::repeat(R::from_f64(SHARE) * R::EPSILON)
-                        * (self.before * self.before * newton),
-                ),
-                square.at_most(L::repeat(R::from_f64(SQUARE_SHARE) * R::EPSILON)),
-            ),
-        );
         // Where a step leaves the bracket or has no rate, the middle comes next.
-        let is_narrow = (self.high - self.low).at_most(settled * self.high);
+        let is_narrow = (self.high - self.low).at_most(settled(self.high));
         // A value of zero or NaN is an end.
         let is_end = L::not(zero.below(value.abs()));
         let takes = L::both(is_newton, L::not(is_end));
+        let is_last = is_last(self.is_smooth, step, newton, self.before);
         let is_done = L::either(
             is_end,
             L::either(
@@ -92,9 +123,7 @@ impl<L: Numbers> RatioSearch<L> {
         );
         let middle = L::splat(0.5) * (self.low + self.high);
         self.ratio = L::select(is_newton, newton, middle);
-        if !self.is_smooth {
-            self.before = L::select(is_newton, step, zero);
-        }
+        self.before = L::select(is_newton, step, zero);
         (L::select(takes, step, zero), is_done)
     }
 }
@@ -108,26 +137,49 @@ pub(super) fn solved<R: Real, L: Numbers<Real = R>>(
     equation: &impl Equation<L>,
 ) -> SearchEnd<L> {
     let (zero, one) = (L::splat(0.0), L::splat(1.0));
-    let mut ratio = L::select(start.is_within(zero, one), start, one);
-    if let Some(at) = curve.rough_point(slides, ratio) {
+    let (mut ratio, mut before) = (L::select(start.is_within(zero, one), start, one), zero);
+    if let Some(at) = curve.first_point(slides, ratio) {
         let [value, rate] = equation.at(ratio, &at);
-        let next = ratio - value / rate;
-        ratio = L::select(next.is_within(zero, one), next, ratio);
+        let step = -(value / rate);
+        let next = ratio + step;
+        let is_ratio = next.is_within(zero, one);
+        ratio = L::select(is_ratio, next, ratio);
+        before = L::select(is_ratio, step, zero);
     }
+    let at = curve.point(slides, ratio);
+    let equation_at = equation.at(ratio, &at);
+    // Nearly always the next step is the last one, and needs no bracket.
     let is_smooth = curve.is_smooth();
-    let mut search = RatioSearch {
+    let [value, rate] = equation_at;
+    let step = -(value / rate);
+    let newton = ratio + step;
+    let rises = L::both(zero.below(rate), rate.below(L::repeat(R::INFINITY)));
+    let is_inside = L::both(rises, newton.is_within(zero, one));
+    if L::all(L::both(is_inside, is_last(is_smooth, step, newton, before))) {
+        return SearchEnd::after(step, ratio, &at);
+    }
+    let search = RatioSearch {
         low: zero,
         high: one,
         ratio,
-        before: if is_smooth {
-            L::repeat(R::INFINITY)
-        } else {
-            zero
-        },
+        before,
         is_smooth,
     };
-    let mut at = curve.point(slides, ratio);
-    let (mut by, is_done) = search.advance(equation.at(ratio, &at));
+    bracketed(curve, slides, equation, search, (at, equation_at))
+}
+
+/// The same from a point, with its value and rate, in a bracket.
+#[cold]
+#[inline(never)]
+fn bracketed<R: Real, L: Numbers<Real = R>>(
+    curve: &impl Curve<L>,
+    slides: L::Mask,
+    equation: &impl Equation<L>,
+    mut search: RatioSearch<L>,
+    (mut at, equation_at): (CurvePoint<L>, [L; 2]),
+) -> SearchEnd<L> {
+    let mut ratio = search.ratio;
+    let (mut by, is_done) = search.advance(equation_at);
     let mut is_open = L::not(is_done);
     let mut left = MAX_STEPS;
     while L::any(is_open) && left > 0 {
@@ -144,15 +196,9 @@ pub(super) fn solved<R: Real, L: Numbers<Real = R>>(
         is_open = L::both(is_open, L::not(is_done));
         left -= 1;
     }
-    // The last step moves the point along the curve: dM/dh = −h dm/dh. None is taken after the last count.
-    let moves = L::both(zero.below(by.abs()), L::not(is_open));
-    let by = L::select(moves, by, zero);
-    let change = L::select(moves, at.rate * by, zero);
-    SearchEnd {
-        before: ratio,
-        power: at.major + ratio * at.minor,
-        ratio: ratio + by,
-        major: at.major - (ratio + L::splat(0.5) * by) * change,
-        minor: at.minor + change,
-    }
+    // No step is taken after the last count, and none of length zero where there is no rate.
+    let moves = L::both(L::splat(0.0).below(by.abs()), L::not(is_open));
+    let none = L::splat(0.0);
+    at.rate = L::select(moves, at.rate, none);
+    SearchEnd::after(L::select(moves, by, none), ratio, &at)
 }

@@ -97,17 +97,44 @@ fn round<R: Real, C: DryReducedFriction<R>>(
         let Ok(alone) = RoundLimitSurface::new(set.coupling(), limit, set.radius()) else {
             continue;
         };
-        let one = parts(&alone.project_with_length(push, length).wrench);
-        let normal = rates(&set.twist_normal_to(push));
-        let together = parts(&nearest[at].wrench)
-            .into_iter()
-            .chain(rates(&motions[at]));
-        let singly = one.into_iter().chain(normal);
+        is_same_projection(
+            input,
+            &nearest[at],
+            &alone.project_with_length(push, length),
+        )?;
+        let [together, singly] =
+            [motions[at], set.twist_normal_to(push)].map(|motion| rates(&motion));
         let gauge = (gauges[at], alone.gauge(push));
-        for (a, b) in together.zip(singly).chain([gauge]) {
-            let is_same = a == b || a.is_nan() && b.is_nan();
-            input.holds(is_same, "a batch answers as one call", &[a, b])?;
+        for (a, b) in together.into_iter().zip(singly).chain([gauge]) {
+            is_same(input, [a, b])?;
         }
+    }
+    Ok(())
+}
+
+fn is_same<R: Real>(input: &mut Input<'_>, [a, b]: [R; 2]) -> Verdict {
+    let is_same = a == b || a.is_nan() && b.is_nan();
+    input.holds(is_same, "a batch answers as one call", &[a, b])
+}
+
+/// Wrench, region and normal.
+fn is_same_projection<R: Real>(
+    input: &mut Input<'_>,
+    together: &Projection<R>,
+    alone: &Projection<R>,
+) -> Verdict {
+    let normal = |projection: &Projection<R>| match projection.region {
+        Region::Inside => [R::ZERO; 3],
+        Region::OnSurface { normal } => rates(&normal),
+    };
+    for (a, b) in parts(&together.wrench)
+        .into_iter()
+        .zip(parts(&alone.wrench))
+    {
+        is_same(input, [a, b])?;
+    }
+    for (a, b) in normal(together).into_iter().zip(normal(alone)) {
+        is_same(input, [a, b])?;
     }
     Ok(())
 }
@@ -143,16 +170,11 @@ pub fn asked<R: Real, S: FrictionSet<R>>(input: &mut Input<'_>, set: &S) -> Verd
     };
     input.give(parts(&set.project(&push).wrench));
     let near = set.project_with_length(&push, length);
-    let mut together = [near; 2];
-    set.project_each(&[push; 2], length, &mut together);
-    for one in together {
-        for (a, b) in parts(&one.wrench).into_iter().zip(parts(&near.wrench)) {
-            input.holds(
-                a == b || a.is_nan() && b.is_nan(),
-                "projections together",
-                &[a, b],
-            )?;
-        }
+    // Whole groups, and what remains of the slices.
+    let mut together = [near; BATCH];
+    set.project_each(&[push; BATCH], length, &mut together);
+    for one in &together {
+        is_same_projection(input, one, &near)?;
     }
     if set.force_limit() > R::ZERO {
         input.finite("gauge", [gauge])?;

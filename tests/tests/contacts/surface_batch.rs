@@ -127,6 +127,7 @@ fn two_million_wrenches_get_the_bits_of_single_calls() {
 #[test]
 fn other_pressures_get_the_bits_of_single_calls() {
     assert_all_regions(coulomb::CoulombRing, 100);
+    assert_all_regions(coulomb::CoulombPunch, 100);
     assert_all_regions(coulomb::CoulombHertz, 100);
     assert_all_regions(coulomb::CoulombParaboloid, 100);
     assert_all_regions(Annulus::new(CoulombDisk, 0.6).expect("valid"), 100);
