@@ -24,6 +24,7 @@ static bool remember_touch(tribos_system *system, foot *foot, const contact *con
     memcpy(made.frame, contact->frame, sizeof made.frame);
     memcpy(made.spring, contact->spring, sizeof made.spring);
     if (contact->surface) memcpy(made.surface, contact->surface, sizeof made.surface);
+    foot->is_conveyed = foot->is_conveyed || dot3(made.surface, made.surface) > 0;
     foot->first = system->touch_count;
     system->touches[system->touch_count++] = made;
     foot->contact_count++;
@@ -40,6 +41,7 @@ void system_begin(tribos_system *system, const view *v)
         foot->is_asleep = v->body_awake && !v->body_awake[foot->bodies[0]];
         foot->first = -1;
         foot->contact_count = 0;
+        foot->is_conveyed = false;
         memset(foot->normal_sum, 0, sizeof foot->normal_sum);
         memset(foot->position_sum, 0, sizeof foot->position_sum);
     }
@@ -67,6 +69,8 @@ const char *system_touch(tribos_system *system, const contact *contact)
 static void find_surface_velocity(const tribos_system *system, foot *foot)
 {
     double shift[3] = {0, 0, 0}, spin = 0;
+    memset(foot->surface, 0, sizeof foot->surface);
+    if (!foot->is_conveyed) return;
     for (int at = foot->first; at >= 0; at = system->touches[at].next) {
         const touch *touch = system->touches + at;
         const double *v = touch->surface, sign = touch->sign;
@@ -104,7 +108,7 @@ static void settle(const tribos_system *system, const view *v, foot *foot, bool 
 {
     foot_place(foot, v);
     foot_turn(foot, v);
-    if (is_free) foot_mobility_roots(foot, v);
+    if (is_free) foot_rows(foot, v);
     memset(foot->stiffness, 0, sizeof foot->stiffness);
     for (int at = foot->first; at >= 0; at = system->touches[at].next) {
         const touch *touch = system->touches + at;
@@ -173,9 +177,8 @@ static void take_back(foot **touching, planar_foot *planar, int loaded, const do
 static void step_group(tribos_system *system, const view *v, const group *group)
 {
     const int room = group->count;
-    double *mobility = system->scratch, *compliance = mobility + MOBILITY(room),
-           *among = compliance + COMPLIANCE(room), *rest = among + COMPLIANCE(room), *rows = rest + SPRINGS(room);
-    planar_foot *planar = (planar_foot *)(rows + ROWS(room, v->nv));
+    double *compliance = system->scratch, *among = compliance + COMPLIANCE(room), *rest = among + COMPLIANCE(room);
+    planar_foot *planar = (planar_foot *)(rest + MOBILITY(room) + SPRINGS(room) + ROWS(room, v->nv));
     foot **touching = (foot **)(planar + room);
 
     int count = 0;
@@ -189,8 +192,7 @@ static void step_group(tribos_system *system, const view *v, const group *group)
         touching[count++] = foot;
     }
     if (!count) return;
-    find_mobility(v, touching, count, group->is_free, rows, mobility);
-    find_compliance(touching, count, mobility, rest, compliance);
+    find_compliance(v, touching, count, group->is_free, group->body, rest, compliance);
 
     // Only feet that carried a load in the last step have friction.
     int loaded = 0;
