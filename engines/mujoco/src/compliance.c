@@ -118,14 +118,18 @@ static void body_compliance(const view *v, foot **feet, int count, int body, dou
     mass_of(v, body, mass);
     for (int k = 0; k < 6; k++) root[k][k] = mass[k];
     for (int i = 0; i < count; i++) {
-        const double *rows = feet[i]->rows[feet[i]->moves[0] ? 0 : 1] + 6 * LIFT;
-        double pushed[3][6] = {{0}};
+        // Lift alone shifts the body; the lower triangle is enough.
+        const double *lift = feet[i]->rows[feet[i]->moves[0] ? 0 : 1] + 6 * LIFT, *turn = lift + 3;
+        double moments[3][3] = {{0}};
         for (int a = 0; a < 3; a++)
-            for (int b = 0; b < 3; b++)
-                for (int k = 0; k < 6; k++) pushed[a][k] += feet[i]->stiffness[3 * a + b] * rows[6 * b + k];
-        for (int a = 0; a < 3; a++)
-            for (int row = 0; row < 6; row++)
-                for (int k = 0; k < 6; k++) root[row][k] += rows[6 * a + row] * pushed[a][k];
+            for (int b = 0; b < 3; b++) add_scaled3(moments[a], turn + 6 * b, feet[i]->stiffness[3 * a + b]);
+        for (int row = 0; row < 3; row++)
+            for (int k = 0; k < 3; k++) {
+                root[row][k] += feet[i]->stiffness[0] * lift[row] * lift[k];
+                root[3 + row][k] += moments[0][row] * lift[k];
+                root[3 + row][3 + k] +=
+                    turn[row] * moments[0][k] + turn[6 + row] * moments[1][k] + turn[12 + row] * moments[2][k];
+            }
     }
     // Cholesky's lower triangle.
     for (int k = 0; k < 6; k++) {

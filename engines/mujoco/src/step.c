@@ -344,8 +344,9 @@ static bool is_beyond(planar_foot *feet, int count, const double *compliance, do
         double most = 0, rate[2];
         for (int j = 0; j < count; j++) {
             const double *c = compliance + 9 * (count * i + j);
-            const double force = sqrt(c[0] * c[0] + c[1] * c[1] + c[3] * c[3] + c[4] * c[4]);
-            most += (force + norm2(c[2], c[5]) * feet[j].set->arm) * feet[j].limit;
+            const double arm = feet[j].set->arm, force_sq = c[0] * c[0] + c[1] * c[1] + c[3] * c[3] + c[4] * c[4];
+            // The sum of two lengths is at most the root of twice the sum of their squares.
+            most += sqrt(2 * (force_sq + arm * arm * (c[2] * c[2] + c[5] * c[5]))) * feet[j].limit;
         }
         for (int k = 0; k < 2; k++) rate[k] = feet[i].acceleration[k] + feet[i].velocity[k] / dt;
         if (!(norm2(rate[0], rate[1]) > BEYOND * most)) return false;

@@ -19,14 +19,20 @@ static bool remember_touch(tribos_system *system, foot *foot, const contact *con
         system->touches = touches;
         system->touch_room = room;
     }
-    touch made = {.sign = sign, .row = contact->row, .stiffness = contact->stiffness, .gap = contact->gap, .next = foot->first};
-    memcpy(made.position, contact->position, sizeof made.position);
-    memcpy(made.frame, contact->frame, sizeof made.frame);
-    memcpy(made.spring, contact->spring, sizeof made.spring);
-    if (contact->surface) memcpy(made.surface, contact->surface, sizeof made.surface);
-    foot->is_conveyed = foot->is_conveyed || dot3(made.surface, made.surface) > 0;
+    touch *made = system->touches + system->touch_count;
+    made->sign = sign;
+    made->row = contact->row;
+    made->stiffness = contact->stiffness;
+    made->gap = contact->gap;
+    made->next = foot->first;
+    memcpy(made->position, contact->position, sizeof made->position);
+    memcpy(made->frame, contact->frame, sizeof made->frame);
+    memcpy(made->spring, contact->spring, sizeof made->spring);
+    memset(made->surface, 0, sizeof made->surface);
+    if (contact->surface) memcpy(made->surface, contact->surface, sizeof made->surface);
+    foot->is_conveyed = foot->is_conveyed || dot3(made->surface, made->surface) > 0;
     foot->first = system->touch_count;
-    system->touches[system->touch_count++] = made;
+    system->touch_count++;
     foot->contact_count++;
     add_scaled3(foot->normal_sum, contact->frame, sign);
     add_scaled3(foot->position_sum, contact->position, 1);
@@ -134,15 +140,15 @@ size_t system_scratch(int count, int nv)
 }
 
 // A foot in the step of its group: what it remembers, in the axes that its patch has now.
-static planar_foot planar_of(const foot *foot, const double *state)
+static void take_foot(planar_foot *planar, const foot *foot, const double *state)
 {
-    planar_foot planar = {.set = foot->set, .limit = foot->mu * state[STATE_LOAD]};
-    memcpy(planar.velocity, foot->velocity, sizeof planar.velocity);
-    foot_in_plane(foot, state + STATE_ACCELERATION, planar.acceleration);
-    planar.acceleration[2] = state[STATE_TURNING];
-    foot_in_plane(foot, state + STATE_FORCE, planar.start);
-    planar.start[2] = state[STATE_TORQUE];
-    return planar;
+    planar->set = foot->set;
+    planar->limit = foot->mu * state[STATE_LOAD];
+    memcpy(planar->velocity, foot->velocity, sizeof planar->velocity);
+    foot_in_plane(foot, state + STATE_ACCELERATION, planar->acceleration);
+    planar->acceleration[2] = state[STATE_TURNING];
+    foot_in_plane(foot, state + STATE_FORCE, planar->start);
+    planar->start[2] = state[STATE_TORQUE];
 }
 
 // Adds the velocity with which slip is taken back, as one motion of the body: slips of feet that differ would turn
@@ -199,7 +205,7 @@ static void step_group(tribos_system *system, const view *v, const group *group)
     for (int i = 0; i < count; i++) {
         const double *state = v->states + touching[i]->state;
         if (!(state[STATE_LOAD] > 0)) continue;
-        planar[loaded] = planar_of(touching[i], state);
+        take_foot(planar + loaded, touching[i], state);
         planar[loaded++].index = i;
     }
     if (!loaded) return;
