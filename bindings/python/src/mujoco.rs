@@ -7,9 +7,7 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use std::ffi::c_void;
 use tribos_core::limit_surface::FrictionSet;
-use tribos_mujoco::{
-    Carry, Contacts, Feet, FootModel, FootReport, LinkError, Simulation, arrays,
-};
+use tribos_mujoco::{Carry, Contacts, Feet, FootModel, FootReport, LinkError, Simulation, arrays};
 
 /// What a foot is.
 #[derive(FromPyObject)]
