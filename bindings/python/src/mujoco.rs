@@ -6,7 +6,6 @@ use crate::patch::Patch;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use std::ffi::c_void;
-use tribos_core::limit_surface::FrictionSet;
 use tribos_mujoco::{Carry, Contacts, Feet, FootModel, FootReport, LinkError, Simulation, arrays};
 
 /// What a foot is.
@@ -165,9 +164,8 @@ impl Carry for Sets {
 
     fn project(&self, force_limit: f64, wrench: [f64; 3], length: f64) -> [f64; 3] {
         let wrench = wrench_of(wrench);
-        let nearest = |set: &dyn FrictionSet<f64>| set.project_with_length(&wrench, length).wrench;
-        self.with(force_limit, nearest)
-            .map_or([f64::NAN; 3], |wrench| numbers(&wrench))
+        self.with(force_limit, |set| set.project_with_length(&wrench, length))
+            .map_or([f64::NAN; 3], |nearest| numbers(&nearest.wrench))
     }
 
     fn oppose(&self, force_limit: f64, motion: [f64; 3]) -> [f64; 3] {
