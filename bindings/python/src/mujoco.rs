@@ -6,9 +6,7 @@ use crate::patch::Patch;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use std::ffi::c_void;
-use tribos_mujoco::{
-    Contacts, Feet, FootModel, FootReport, LinkError, Project, Simulation, arrays,
-};
+use tribos_mujoco::{Carry, Contacts, Feet, FootModel, FootReport, LinkError, Simulation, arrays};
 
 /// What a foot is.
 #[derive(FromPyObject)]
@@ -144,10 +142,8 @@ impl MujocoFeet {
 }
 
 impl FootArguments<'_> {
-    fn foot(self) -> PyResult<(FootModel, f64, Project)> {
+    fn foot(self) -> PyResult<(FootModel, Box<dyn Carry>)> {
         let sets = Sets::new(&self.patch.get().0)?;
-        let turn = twist_of([0.0, 0.0, 1.0]);
-        let arm = sets.with(1.0, |set| set.support(&turn))?;
         let model = FootModel {
             geoms: self.geoms,
             ground: self.floor,
@@ -155,13 +151,26 @@ impl FootArguments<'_> {
             frame: self.frame,
             mu: self.mu,
         };
-        let project = move |force_limit, wrench, length| {
-            let wrench = wrench_of(wrench);
-            let nearest = sets.with(force_limit, |set| {
-                numbers(&set.project_with_length(&wrench, length).wrench)
-            });
-            nearest.unwrap_or([f64::NAN; 3])
-        };
-        Ok((model, arm, Box::new(project)))
+        Ok((model, Box::new(sets)))
+    }
+}
+
+/// NaN under a force limit that is none.
+impl Carry for Sets {
+    fn arm(&self) -> f64 {
+        let turn = twist_of([0.0, 0.0, 1.0]);
+        self.with(1.0, |set| set.support(&turn)).unwrap_or(f64::NAN)
+    }
+
+    fn project(&self, force_limit: f64, wrench: [f64; 3], length: f64) -> [f64; 3] {
+        let wrench = wrench_of(wrench);
+        self.with(force_limit, |set| set.project_with_length(&wrench, length))
+            .map_or([f64::NAN; 3], |nearest| numbers(&nearest.wrench))
+    }
+
+    fn oppose(&self, force_limit: f64, motion: [f64; 3]) -> [f64; 3] {
+        let twist = twist_of(motion);
+        self.with(force_limit, |set| set.wrench(&twist))
+            .map_or([f64::NAN; 3], |wrench| numbers(&wrench))
     }
 }

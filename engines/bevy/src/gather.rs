@@ -8,6 +8,7 @@ use avian3d::collision::contact_types::ContactGraph;
 use avian3d::dynamics::solver::constraint_graph::ConstraintGraph;
 use avian3d::dynamics::solver::contact::{ContactConstraint, ContactConstraintPoint};
 use avian3d::prelude::*;
+use bevy::ecs::entity::EntityHashMap;
 use bevy::prelude::*;
 
 /// Least cosine of the angle between a contact's normal and its patch's, or that of another foot.
@@ -51,12 +52,18 @@ struct PatchContact {
 
 /// Contacts of feet on one plane, until all have been seen.
 struct FootGroupBuilder {
-    first: PatchContact,
+    body: Entity,
+    /// The first foot's ground, and its normal.
+    ground: Option<Entity>,
+    normal: Vec3,
+    moves: [bool; 2],
     members: Vec<Member>,
     normals: Vec3,
     arms: [Vec3; 2],
     contacts: f32,
     holds: bool,
+    /// The next group of the same body.
+    next: Option<usize>,
 }
 
 /// Finds the contacts of patches, and takes the engine's friction away from them.
@@ -72,6 +79,7 @@ pub(crate) fn gather_feet(
         return;
     }
     let mut drafts: Vec<FootGroupBuilder> = Vec::new();
+    let mut first_of_body = EntityHashMap::default();
     for (color, graph) in constraints.colors.iter_mut().enumerate() {
         for (index, constraint) in graph.contact_constraints.iter_mut().enumerate() {
             let Some((_, pair)) = contacts.get_by_id(constraint.contact_id) else {
@@ -90,7 +98,15 @@ pub(crate) fn gather_feet(
             for point in &mut constraint.points {
                 point.tangent_part = None;
             }
-            match drafts.iter_mut().find(|draft| draft.takes(&touching)) {
+            let new = drafts.len();
+            let mut at = *first_of_body.entry(touching.body).or_insert(new);
+            while let Some(draft) = drafts.get_mut(at) {
+                if draft.takes(&touching) {
+                    break;
+                }
+                at = *draft.next.get_or_insert(new);
+            }
+            match drafts.get_mut(at) {
                 Some(draft) => draft.add(touching),
                 None => drafts.push(FootGroupBuilder::new(touching)),
             }
@@ -156,29 +172,31 @@ fn touching(
 impl FootGroupBuilder {
     fn new(first: PatchContact) -> Self {
         Self {
-            members: vec![first.member.clone()],
+            body: first.body,
+            ground: first.member.ground,
+            normal: first.normal,
+            moves: first.moves,
+            members: vec![first.member],
             normals: first.normal,
             arms: first.arms,
             contacts: 1.0,
             holds: first.holds,
-            first,
+            next: None,
         }
     }
 
-    /// Whether the contact belongs to the same body on the same plane, on the same ground or on one that
-    /// friction does not move either.
+    /// Whether a contact of the same body belongs to the same plane, on the same ground or on one that friction does not
+    /// move either.
     fn takes(&self, other: &PatchContact) -> bool {
-        let movable = |of: &PatchContact| of.member.ground.filter(|_| of.moves[1]);
-        self.first.body == other.body
-            && self.first.moves == other.moves
-            && movable(&self.first) == movable(other)
-            && self.first.normal.dot(other.normal) > ONE_PLANE
+        self.moves == other.moves
+            && (!self.moves[1] || self.ground == other.member.ground)
+            && self.normal.dot(other.normal) > ONE_PLANE
     }
 
     fn add(&mut self, other: PatchContact) {
         self.normals += other.normal;
         // The distance to a ground matters for the first one alone.
-        if other.member.ground == self.first.member.ground {
+        if other.member.ground == self.ground {
             for (sum, arm) in self.arms.iter_mut().zip(other.arms) {
                 *sum += arm;
             }
@@ -195,9 +213,9 @@ impl FootGroupBuilder {
     }
 
     fn finish(self) -> Group {
-        let frame = Frame::new(self.normals.normalize_or(self.first.normal));
+        let frame = Frame::new(self.normals.normalize_or(self.normal));
         let arms = self.arms.map(|sum| sum / self.contacts);
-        let mut group = Group::new(self.first.body, self.members, frame, self.first.moves, arms);
+        let mut group = Group::new(self.body, self.members, frame, self.moves, arms);
         group.holds = self.holds;
         group
     }

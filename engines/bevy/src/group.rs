@@ -9,7 +9,7 @@ use avian3d::dynamics::solver::solver_body::{SolverBody, SolverBodyInertia};
 use bevy::prelude::*;
 use tribos_core::contact::TimeStep;
 use tribos_core::twist::{Twist, Wrench};
-use tribos_feet::{Correction, Foot, Footprint, Stance, Standing};
+use tribos_feet::{Correction, Foot, Footprint, Stance, Standing, SurfaceAside};
 
 /// What friction needs of bodies during the substeps.
 pub(crate) type Bodies<'w, 's> = Query<
@@ -49,6 +49,10 @@ pub(crate) struct Member {
     pub(crate) contacts: Vec<[usize; 2]>,
     /// Friction of the last substep.
     pub(crate) last: SubstepFriction,
+    /// Where it stands in this substep.
+    stance: Stance,
+    /// Its normal force in this substep, in N.
+    load: f32,
     /// Normal impulse in N s with which friction was last solved.
     solved: Option<f32>,
     /// Sums over the substeps.
@@ -79,6 +83,8 @@ impl Member {
             lever: Vec3::ZERO,
             contacts: Vec::new(),
             last: SubstepFriction::default(),
+            stance: Stance::new([0.0; 2], [1.0, 0.0]),
+            load: 0.0,
             solved: None,
             sums: AppliedLoads::default(),
         }
@@ -101,18 +107,29 @@ impl Member {
         }
     }
 
-    /// The normal force of a substep of `dt` seconds, with what came late in the substep before.
-    fn load(&mut self, graph: &ConstraintGraph, dt: f32) -> f32 {
+    /// Finds the normal force of a substep of `dt` seconds, with what came late in the substep before.
+    fn press(&mut self, graph: &ConstraintGraph, dt: f32) {
         let impulse = self.impulse(graph);
         self.solved = Some(impulse);
-        (impulse + self.last.late).max(0.0) / dt
+        self.load = (impulse + self.last.late).max(0.0) / dt;
     }
 
-    /// Place and direction in the plane, after the body has turned and for half of the coming turn: `half` is a
+    /// Finds place and direction in the plane, after the body has turned and for half of the coming turn: `half` is a
     /// quarter of the angle of a substep in radians.
-    fn stand(&self, frame: &Frame, body: &SolverBody, half: f32) -> Stance {
+    fn stand(&mut self, frame: &Frame, body: &SolverBody, half: f32) {
         let plane = |vector: Vec3| frame.plane(body.delta_rotation * vector);
-        Stance::new(plane(self.arm), plane(self.along)).turned(half)
+        self.stance = Stance::new(plane(self.arm), plane(self.along)).turned(half);
+    }
+
+    /// The foot, whose ground moves by `drift` against that of the first.
+    fn foot(&self, drift: [f64; 3]) -> Foot<'_> {
+        Foot {
+            footprint: &self.footprint,
+            limit: self.mu * self.load,
+            place: self.stance.place,
+            axis: self.stance.axis,
+            drift,
+        }
     }
 }
 
@@ -129,6 +146,8 @@ pub(crate) struct Group {
     /// Whether all feet were at rest after the last substep.
     pub(crate) holds: bool,
     reduced: Option<Reduced>,
+    /// Of a foot alone, from the substep before.
+    surface: Option<SurfaceAside>,
     /// Friction on the foot at its centre of mass in the last substep.
     pub(crate) friction: Wrench<f32>,
     /// What was added to the velocities of both for the integration of positions.
@@ -153,6 +172,7 @@ impl Group {
             arms,
             holds: false,
             reduced: None,
+            surface: None,
             friction: Wrench::ZERO,
             offsets: [Change::ZERO; 2],
             substeps: 0,
@@ -203,7 +223,7 @@ impl Group {
         }
         let reduced = Reduced::new(of_foot, of_ground, arms, &self.frame)?;
         let impulse = self.friction * dt;
-        self.apply(&reduced.by_impulse(&impulse, &self.frame), bodies);
+        self.apply(&[reduced.by_impulse(&impulse, &self.frame)], bodies);
         self.reduced = Some(reduced);
         Some(())
     }
@@ -219,26 +239,26 @@ impl Group {
         let reduced = self.reduced.take()?;
         let frame = self.frame;
         let (foot, _, increments) = bodies.get(self.body).ok()?;
-        let mut smooth = [increased(increments), Change::ZERO];
+        let pushed = increased(increments);
         let velocity = Change::velocity(foot);
         let half_turn = 0.25 * seconds * velocity.angular.dot(frame.normal);
-        let stands: Vec<_> = self
-            .members
-            .iter()
-            .map(|member| member.stand(&frame, foot, half_turn))
-            .collect();
-        let below = self.velocity(self.ground(), bodies);
-        if let Some((_, _, increments)) = self.ground().and_then(|ground| bodies.get(ground).ok()) {
-            smooth[1] = increased(increments);
+        for member in &mut self.members {
+            member.stand(&frame, foot, half_turn);
+            member.press(graph, seconds);
         }
+        let ground = self.ground().and_then(|ground| bodies.get(ground).ok());
+        let (below, below_pushed) = ground.map_or((Change::ZERO, Change::ZERO), |(body, _, by)| {
+            (Change::velocity(body), increased(by))
+        });
+        let smooth = [pushed, below_pushed];
         let lever = reduced.arms[1] - reduced.arms[0];
         let now = frame.twist(&relative(&velocity, &below, lever));
         // The motion without friction.
         let begun = self.friction * seconds;
         let free = now - reduced.twist(&begun, &frame);
-        let (end, share) = self.balance(&reduced, &stands, &free, bodies, graph, dt)?;
+        let (end, share) = self.balance(&reduced, &free, bodies, dt)?;
         let correction = end.ended.twist - now;
-        self.apply(&reduced.by_change(&correction, &frame), bodies);
+        let corrected = reduced.by_change(&correction, &frame);
         let stops = end.ended.is_at_rest() && !self.holds && free != Twist::ZERO;
         if stops && self.stopped_after.is_none() {
             self.stopped_after = Some((f32::from(self.substeps) + share) * seconds);
@@ -254,8 +274,7 @@ impl Group {
             self.half_back(&reduced, &smooth, seconds)
         };
         self.offsets = self.offsets.map(|offset| offset.within(&frame));
-        let offsets = self.offsets;
-        self.apply(&offsets, bodies);
+        self.apply(&[corrected, self.offsets], bodies);
         Some(())
     }
 
@@ -291,7 +310,7 @@ impl Group {
             linear: -linear,
             angular: -angular,
         });
-        self.apply(&back, bodies);
+        self.apply(&[back], bodies);
     }
 
     /// The end of an implicit step from the motion `free`, and the fraction of it until rest. Stores the
@@ -299,48 +318,42 @@ impl Group {
     fn balance(
         &mut self,
         reduced: &Reduced,
-        stands: &[Stance],
         free: &Twist<f32>,
         bodies: &Bodies,
-        graph: &ConstraintGraph,
         dt: TimeStep<f32>,
     ) -> Option<(Correction, f32)> {
-        let seconds = dt.dt();
         let frame = self.frame;
-        let loads: Vec<f32> = self
-            .members
-            .iter_mut()
-            .map(|member| member.load(graph, seconds))
-            .collect();
         let below = |ground, lever| relative(&Change::ZERO, &self.velocity(ground, bodies), lever);
-        let reference = self.members.first()?;
-        let reference = frame.twist(&below(reference.ground, reference.lever));
-        let drift = |member: &Member| {
-            let drift = frame.twist(&below(member.ground, member.lever)) - reference;
-            [drift.velocity.x, drift.velocity.y, drift.spin].map(f64::from)
+        let (alone, several);
+        let feet: &[Foot] = if let [member] = &self.members[..] {
+            alone = [member.foot([0.0; 3])];
+            &alone
+        } else {
+            let reference = self.members.first()?;
+            let reference = frame.twist(&below(reference.ground, reference.lever));
+            let drift = |member: &Member| {
+                let drift = frame.twist(&below(member.ground, member.lever)) - reference;
+                [drift.velocity.x, drift.velocity.y, drift.spin].map(f64::from)
+            };
+            let feet = self.members.iter().map(|member| member.foot(drift(member)));
+            several = feet.collect::<Vec<_>>();
+            &several
         };
-        let members = self.members.iter().zip(stands).zip(&loads);
-        let feet: Vec<Foot> = members
-            .map(|((member, stance), load)| Foot {
-                footprint: &member.footprint,
-                limit: member.mu * load,
-                place: stance.place,
-                axis: stance.axis,
-                drift: drift(member),
-            })
-            .collect();
-        let standing = Standing::new(reduced.planar.body(), reduced.planar.coupled(), &feet);
+        let (body, coupled) = (reduced.planar.body(), reduced.planar.coupled());
+        let standing = Standing::with_surface(body, coupled, feet, self.surface.as_ref());
+        let surface = standing.surface_aside();
         let end = standing.correct(None, free, dt)?;
         let share = match end.ended.is_at_rest() && *free != Twist::ZERO {
             true => standing.share_until_rest(None, &end),
             false => 1.0,
         };
-        for (number, (member, load)) in self.members.iter_mut().zip(loads).enumerate() {
+        self.surface = surface;
+        for (number, member) in self.members.iter_mut().enumerate() {
             let [force, torque] = frame.wrench(&end.ended.foot(number).wrench);
             (member.last.force, member.last.torque) = (force, torque);
             member.sums.force += force;
             member.sums.torque += torque;
-            member.sums.load += load;
+            member.sums.load += member.load;
         }
         Some((end, share))
     }
@@ -351,12 +364,13 @@ impl Group {
         body.map_or(Change::ZERO, |(body, ..)| Change::velocity(body))
     }
 
-    fn apply(&self, changes: &[Change; 2], bodies: &mut Bodies) {
+    /// Changes the velocities of foot and ground, one change after the other.
+    fn apply(&self, changes: &[[Change; 2]], bodies: &mut Bodies) {
         let entities = [Some(self.body), self.ground()];
         for i in [0, 1] {
             let body = entities[i].filter(|_| self.moves[i]);
             if let Some((mut body, ..)) = body.and_then(|body| bodies.get_mut(body).ok()) {
-                changes[i].apply(&mut body);
+                changes.iter().for_each(|both| both[i].apply(&mut body));
             }
         }
     }

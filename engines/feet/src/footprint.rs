@@ -17,6 +17,27 @@ use tribos_friction::{Area as Shape, FrictionError, Patch};
 /// Distance from the centre of mass, as a fraction of the radius, up to which a footprint counts as centred.
 pub(crate) const CENTRED: f64 = 1e-3;
 
+/// Distance between two places of a foot, as a fraction of its radius, up to which they are one: rounding of its turn.
+const SAME: f64 = 1e-6;
+
+/// The limit surface of a foot aside of the centre of mass, kept from one step to the next of the same foot.
+#[derive(Clone, Debug)]
+pub struct SurfaceAside(Arc<Aside>);
+
+#[derive(Debug)]
+struct Aside {
+    of: Footprint,
+    /// Its centre from the centre of mass, in its axes.
+    place: [f64; 2],
+    surface: Surface,
+}
+
+impl SurfaceAside {
+    pub(crate) fn surface(&self) -> &Surface {
+        &self.0.surface
+    }
+}
+
 /// The shape of a foot's area, and its pressure: uniform, unless a round one is given another. Copies share
 /// their data.
 ///
@@ -214,19 +235,38 @@ impl Footprint {
     }
 
     /// The exact limit surface under 1 N in the foot's axes, about a point from which the foot's centre is at
-    /// `place`. `None` for a round foot aside, whose exact surface is known about its middle alone.
-    pub(crate) fn surface_about(&self, [x, y]: [f64; 2], [c, s]: [f64; 2]) -> Option<Exact<'_>> {
+    /// `place`: the one `kept` where it serves. `None` for a round foot aside, whose exact surface is known about its
+    /// middle alone.
+    pub(crate) fn surface_about(
+        &self,
+        [x, y]: [f64; 2],
+        [c, s]: [f64; 2],
+        kept: Option<&SurfaceAside>,
+    ) -> Option<Exact<'_>> {
         let centred = self.inner.surface.as_ref()?;
+        let radius = f64::from(self.inner.radius);
         // A distance that does not count.
-        if (x * x + y * y).sqrt() <= CENTRED * f64::from(self.inner.radius) {
+        if (x * x + y * y).sqrt() <= CENTRED * radius {
             return Some(Exact::Prepared(centred));
         }
         if self.is_round() {
             return None;
         }
         let in_foot = [c * x + s * y, c * y - s * x];
-        let moved = self.inner.outline.surface(in_foot).ok()?;
-        Some(Exact::Moved(Box::new(moved)))
+        let serves = |kept: &&SurfaceAside| {
+            let [dx, dy] = [0, 1].map(|k| (kept.0.place[k] - in_foot[k]).abs());
+            Arc::ptr_eq(&kept.0.of.inner, &self.inner) && dx.max(dy) <= SAME * radius
+        };
+        if let Some(kept) = kept.filter(serves) {
+            return Some(Exact::Moved(kept.clone()));
+        }
+        let surface = self.inner.outline.surface(in_foot).ok()?;
+        let (of, place) = (self.clone(), in_foot);
+        Some(Exact::Moved(SurfaceAside(Arc::new(Aside {
+            of,
+            place,
+            surface,
+        }))))
     }
 
     /// Friction of a round foot among others.

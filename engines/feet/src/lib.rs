@@ -43,7 +43,7 @@ mod symmetric;
 
 pub use ended::{Ended, FootFriction};
 pub use foot::{Foot, Stance};
-pub use footprint::Footprint;
+pub use footprint::{Footprint, SurfaceAside};
 pub use prediction::{Correction, Prediction};
 pub use reduced::Reduced;
 pub use refusal::FootprintError;

@@ -4,6 +4,7 @@
 use crate::elements::Elements;
 use crate::ended::Ended;
 use crate::foot::Foot;
+use crate::footprint::SurfaceAside;
 use crate::surface::Surface;
 use crate::symmetric::times;
 use tribos_core::contact::TimeStep;
@@ -36,14 +37,14 @@ enum FootSolver<'a> {
 #[derive(Debug)]
 pub(crate) enum Exact<'a> {
     Prepared(&'a Surface),
-    Moved(Box<Surface>),
+    Moved(SurfaceAside),
 }
 
 impl Exact<'_> {
     fn surface(&self) -> &Surface {
         match self {
             Self::Prepared(surface) => surface,
-            Self::Moved(surface) => surface,
+            Self::Moved(kept) => kept.surface(),
         }
     }
 }
@@ -56,12 +57,33 @@ impl<'a> Standing<'a> {
         coupled: Option<&'a [f64; 6]>,
         feet: &[Foot<'a>],
     ) -> Self {
+        Self::with_surface(body, coupled, feet, None)
+    }
+
+    /// The same with the surface that was [kept](Self::surface_aside) from a step before, where it is that of the foot.
+    pub fn with_surface(
+        body: &'a PlanarBody<f32>,
+        coupled: Option<&'a [f64; 6]>,
+        feet: &[Foot<'a>],
+        kept: Option<&SurfaceAside>,
+    ) -> Self {
         let on = match (feet, coupled) {
-            ([foot], None) => FootSolver::alone(foot),
+            ([foot], None) => FootSolver::alone(foot, kept),
             _ => None,
         };
         let on = on.unwrap_or_else(|| FootSolver::Elements(Box::new(Elements::of(feet))));
         Self { body, coupled, on }
+    }
+
+    /// The surface of a foot alone whose middle is not below the centre of mass.
+    pub fn surface_aside(&self) -> Option<SurfaceAside> {
+        match &self.on {
+            FootSolver::Exact {
+                surface: Exact::Moved(kept),
+                ..
+            } => Some(kept.clone()),
+            _ => None,
+        }
     }
 
     /// The mean push that makes `change` of the motion in a time `dt`.
@@ -173,13 +195,13 @@ pub(crate) fn push(
 
 impl<'a> FootSolver<'a> {
     /// A foot alone, if the kernel has its exact limit surface.
-    fn alone(foot: &Foot<'a>) -> Option<Self> {
+    fn alone(foot: &Foot<'a>, kept: Option<&SurfaceAside>) -> Option<Self> {
         let (limit, axis) = (foot.limit, foot.axis);
         if limit == 0.0 {
             return Some(Self::Nothing);
         }
         Some(Self::Exact {
-            surface: foot.footprint.surface_about(foot.place, axis)?,
+            surface: foot.footprint.surface_about(foot.place, axis, kept)?,
             limit,
             axis,
         })

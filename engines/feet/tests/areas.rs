@@ -212,3 +212,28 @@ fn legs_resist_as_their_points_do() {
         }
     }
 }
+
+#[test]
+fn a_kept_surface_serves_the_foot_at_its_place_alone() {
+    let (body, dt) = (body(), TimeStep::new(1.0 / 60.0).unwrap());
+    let [a, b] = HALF;
+    let corners = [[-a, -b], [a, -b], [a, b], [-a, b]];
+    let [first, second] = [(); 2].map(|()| Footprint::polygon(&corners, 2).unwrap());
+    let motion = Twist::new(0.3, -0.1, 2.0);
+    let ended = |foot: &Foot, kept| {
+        let standing = Standing::with_surface(&body, None, &[*foot], kept);
+        let end = standing.step(&motion, &Wrench::ZERO, dt).unwrap();
+        (end.twist, end.friction)
+    };
+    let foot = Foot::new(&first, LIMIT, [0.1, 0.02]);
+    let kept = Standing::new(&body, None, &[foot]).surface_aside().unwrap();
+    let elsewhere = Foot::new(&first, LIMIT, [0.02, 0.1]);
+    let other = Foot::new(&second, LIMIT, foot.place);
+    for foot in [foot, elsewhere, other] {
+        assert_eq!(ended(&foot, Some(&kept)), ended(&foot, None));
+    }
+    assert_ne!(ended(&elsewhere, None), ended(&foot, None));
+    let centred = Foot::new(&first, LIMIT, [0.0; 2]);
+    let standing = Standing::new(&body, None, &[centred]);
+    assert!(standing.surface_aside().is_none());
+}

@@ -46,6 +46,7 @@ bool foot_link(foot *foot, const view *v)
     int jointed = foot->bodies[0];
     while (jointed && !v->body_jntnum[jointed]) jointed = v->body_parentid[jointed];
     foot->is_afloat = jointed && v->jnt_type[v->body_jntadr[jointed]] == JOINT_FREE;
+    foot->is_straight = foot->is_afloat && v->body_jntnum[jointed] == 1 && !foot->moves[1];
     foot->freedoms = malloc((size_t)(v->nv + 1) * sizeof *foot->freedoms);
     foot->jacobian = malloc((size_t)(v->nv + 1) * MOTIONS * sizeof(double));
     if (!foot->freedoms || !foot->jacobian) return false;
@@ -199,6 +200,8 @@ static void convey(const foot *foot, const double point[3], double dt, carried *
 
 void foot_bend(const foot *foot, const view *v, double dt, double bend[2])
 {
+    bend[0] = bend[1] = 0;
+    if (foot->is_straight && !foot->is_conveyed) return;
     const double *origin = v->xpos + 3 * foot->bodies[0];
     carried own = {{0}, {0}}, under = {{0}, {0}};
     convey(foot, origin, dt, &under);
@@ -211,29 +214,25 @@ void foot_bend(const foot *foot, const view *v, double dt, double bend[2])
     foot_in_plane(foot, way, bend);
 }
 
-void foot_mobility_roots(foot *foot, const view *v)
+void foot_rows(foot *foot, const view *v)
 {
+    static const int along[3] = {ALONG_X, ALONG_Y, LIFT}, about[3] = {TILT_X, TILT_Y, SPIN};
     for (int side = 0; side < 2; side++) {
         const int body = foot->bodies[side];
-        double *root = foot->roots[side];
         if (!foot->moves[side]) continue;
-        const double sign = side == 0 ? 1 : -1;
-        const double inv_mass = sign / sqrt(v->body_mass[body]);
+        const double sign = side == 0 ? 1 : -1, *inertia = v->ximat + 9 * body;
         double lever[3];
         subtract3(lever, foot->centre, v->xipos + 3 * body);
-        for (int axis = 0; axis < 3; axis++) {
-            const double none[3] = {0, 0, 0};
-            double unit[3] = {0, 0, 0}, turn[3], shift[3], motion[MOTIONS];
-            // Along the axes of the world.
-            unit[axis] = inv_mass;
-            in_axes(foot, unit, none, motion);
-            for (int k = 0; k < MOTIONS; k++) root[6 * k + axis] = motion[k];
-            // About the axes of the inertia.
-            const double inv_inertia = sign / sqrt(v->body_inertia[3 * body + axis]);
-            for (int k = 0; k < 3; k++) turn[k] = v->ximat[9 * body + 3 * k + axis] * inv_inertia;
-            cross3(shift, turn, lever);
-            in_axes(foot, shift, turn, motion);
-            for (int k = 0; k < MOTIONS; k++) root[6 * k + 3 + axis] = motion[k];
+        for (int k = 0; k < 3; k++) {
+            const double *axis = foot->axes + 3 * k;
+            double moment[3], *shift = foot->rows[side] + 6 * along[k], *turn = foot->rows[side] + 6 * about[k];
+            cross3(moment, lever, axis);
+            for (int i = 0; i < 3; i++) {
+                shift[i] = sign * axis[i];
+                shift[3 + i] = sign * (inertia[i] * moment[0] + inertia[3 + i] * moment[1] + inertia[6 + i] * moment[2]);
+                turn[i] = 0;
+                turn[3 + i] = sign * (inertia[i] * axis[0] + inertia[3 + i] * axis[1] + inertia[6 + i] * axis[2]);
+            }
         }
     }
 }

@@ -41,6 +41,7 @@ typedef struct foot {
     int bodies[2];  // of the foot, of the ground
     bool moves[2];  // false if the body is fixed to the world
     bool is_afloat; // its body has all six motions by a joint of its own
+    bool is_straight; // that joint alone, on a ground that is fixed: where no velocity changes its origin goes straight
     frame_kind frame;
     int frame_index;
     double mu;
@@ -52,12 +53,15 @@ typedef struct foot {
     bool is_asleep;         // MuJoCo leaves its contacts out
     int first;              // of its contacts, -1 without
     int contact_count;
+    bool is_conveyed;       // the surface of its ground moves on its body
     double normal_sum[3];   // of the contacts' normals, from the ground to the foot
     double position_sum[3];
     double axes[9];         // the patch's x, y and normal in the rows
     double centre[3];
     double *jacobian;       // a row of MOTIONS numbers for each of its freedoms
-    double roots[2][36];    // of the inverse mass of foot and ground, if they move freely: [motion][column]
+    // By unit velocities of foot and ground along the axes of the world and about those of the inertia, if they move
+    // freely: [motion][velocity].
+    double rows[2][36];
     double stiffness[9];    // of its contacts in lift and tilts
     double motion[MOTIONS]; // by the degrees of freedom
     double surface[3];      // motion of a conveyor's surface, along x, along y, about the normal
@@ -93,8 +97,8 @@ void foot_motion(const foot *foot, const double *velocities, double motion[MOTIO
 // It is that of the body's origin, which a free joint moves straight, such that feet of one body have one bend.
 void foot_bend(const foot *foot, const view *v, double dt, double bend[2]);
 
-// Roots of the inverse masses of foot and ground, of those that move.
-void foot_mobility_roots(foot *foot, const view *v);
+// Its motions by those of foot and ground, of those that move.
+void foot_rows(foot *foot, const view *v);
 
 // The part of a normal force in lift and tilts.
 void foot_row(const foot *foot, const double position[3], const double normal[3], double row[3]);

@@ -6,9 +6,15 @@
 use std::ffi::{CStr, c_char, c_int, c_void};
 use std::fmt;
 
-/// The friction of an area nearest to a wrench (N, N, N m) under a force limit in N, where torques are divided by a length
-/// in m.
-pub type Project = Box<dyn Fn(f64, [f64; 3], f64) -> [f64; 3] + Send + Sync>;
+/// All friction (N, N, N m) that an area can carry, under each force limit in N.
+pub trait Carry: Send + Sync {
+    /// The largest torque per force, in m.
+    fn arm(&self) -> f64;
+    /// The friction nearest to a wrench, where torques are divided by a length in m; NaN for what is not finite.
+    fn project(&self, force_limit: f64, wrench: [f64; 3], length: f64) -> [f64; 3];
+    /// The friction that opposes a motion (m/s, m/s, rad/s); none opposes rest, and NaN what is not finite.
+    fn oppose(&self, force_limit: f64, motion: [f64; 3]) -> [f64; 3];
+}
 
 /// A foot, by MuJoCo's indices.
 #[derive(Clone, Debug)]
@@ -105,8 +111,9 @@ pub enum LinkError {
 #[repr(C)]
 struct FrictionSet {
     project: extern "C" fn(*const Self, f64, *const [f64; 3], f64, *mut [f64; 3]),
+    oppose: extern "C" fn(*const Self, f64, *const [f64; 3], *mut [f64; 3]),
     arm: f64,
-    within: Project,
+    within: Box<dyn Carry>,
 }
 
 extern "C" fn project(
@@ -117,7 +124,17 @@ extern "C" fn project(
     nearest: *mut [f64; 3],
 ) {
     // SAFETY: C hands the set on that `Feet::new` gave it, and two arrays of its own, which may be one.
-    unsafe { *nearest = ((*set).within)(force_limit, *wrench, length) }
+    unsafe { *nearest = (*set).within.project(force_limit, *wrench, length) }
+}
+
+extern "C" fn oppose(
+    set: *const FrictionSet,
+    force_limit: f64,
+    motion: *const [f64; 3],
+    friction: *mut [f64; 3],
+) {
+    // SAFETY: as in `project`.
+    unsafe { *friction = (*set).within.oppose(force_limit, *motion) }
 }
 
 #[repr(C)]
@@ -197,7 +214,7 @@ impl fmt::Debug for Feet {
 }
 
 impl Feet {
-    /// Feet with their largest torques per force in m, and their sets.
+    /// Feet with their sets.
     ///
     /// # Safety
     ///
@@ -209,14 +226,15 @@ impl Feet {
     /// A [`LinkError`] where feet never move, or have the same geoms.
     pub unsafe fn new(
         simulation: &Simulation,
-        feet: Vec<(FootModel, f64, Project)>,
+        feet: Vec<(FootModel, Box<dyn Carry>)>,
     ) -> Result<Self, LinkError> {
         let (mut models, mut sets) = (Vec::new(), Vec::new());
-        for (model, arm, within) in feet {
+        for (model, within) in feet {
             models.push(model);
             sets.push(FrictionSet {
                 project,
-                arm,
+                oppose,
+                arm: within.arm(),
                 within,
             });
         }

@@ -70,6 +70,13 @@ static bool is_free(const view *v, const foot *foot)
     return true;
 }
 
+// The only one of a foot's body and its ground's that moves; 0 if both do.
+static int moving_body(const foot *foot)
+{
+    if (foot->moves[0] && foot->moves[1]) return 0;
+    return foot->bodies[foot->moves[0] ? 0 : 1];
+}
+
 // Puts feet that move each other into groups.
 static link_result link_groups(tribos_system *system, const view *v)
 {
@@ -95,10 +102,12 @@ static link_result link_groups(tribos_system *system, const view *v)
             return NO_MEMORY;
         }
         group->is_free = true;
+        group->body = moving_body(system->feet + i);
         for (int j = 0, at = 0; j < count; j++) {
             if (label[j] != i) continue;
             group->feet[at++] = j;
             group->is_free = group->is_free && is_free(v, system->feet + j);
+            if (!group->is_free || moving_body(system->feet + j) != group->body) group->body = 0;
         }
         if (group->count > largest) largest = group->count;
         system->group_count++;

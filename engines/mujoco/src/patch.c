@@ -6,6 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+// Shares of force and torque that are rounding.
+#define NONE 1e-12
+
 int read_numbers(const char *text, double *out, int room)
 {
     int count = 0;
@@ -126,33 +129,58 @@ static bool read_points(patch *out, const char *text, char *why, size_t room)
                   status == TRIBOS_STATUS_FEET_IN_LINE ? "all are in one place" : tribos_status_text(status));
 }
 
-// Largest torque per force about the origin.
-static double arm(const patch *patch)
+static void oppose(const friction_set *set, double force_limit, const double motion[3], double friction[3])
 {
+    const patch *patch = (const struct patch *)set;
     const tribos_round_f64 round = {1, patch->radius};
     const tribos_coulomb_f64 law = {1};
-    const tribos_twist_f64 turn = {0, 0, 1};
+    const tribos_twist_f64 twist = {motion[0], motion[1], motion[2]};
     tribos_wrench_f64 wrench = {NAN, NAN, NAN};
     switch (patch->kind) {
-    case PATCH_DISK: tribos_disk_wrench_f64(&round, 1, &turn, &wrench); break;
+    case PATCH_DISK: tribos_disk_wrench_f64(&round, force_limit, &twist, &wrench); break;
     case PATCH_ANNULUS:
-        tribos_annulus_wrench_f64(&round, patch->inner_ratio, 1, &turn, &wrench);
+        tribos_annulus_wrench_f64(&round, patch->inner_ratio, force_limit, &twist, &wrench);
         break;
-    case PATCH_RING: tribos_ring_wrench_f64(&round, 1, &turn, &wrench); break;
-    case PATCH_HERTZ: tribos_hertz_wrench_f64(&round, 1, &turn, &wrench); break;
-    case PATCH_PUNCH: tribos_punch_wrench_f64(&round, 1, &turn, &wrench); break;
-    case PATCH_POLYGON: tribos_polygon_wrench_f64(&patch->polygon, 1, 1, &turn, &wrench); break;
+    case PATCH_RING: tribos_ring_wrench_f64(&round, force_limit, &twist, &wrench); break;
+    case PATCH_HERTZ: tribos_hertz_wrench_f64(&round, force_limit, &twist, &wrench); break;
+    case PATCH_PUNCH: tribos_punch_wrench_f64(&round, force_limit, &twist, &wrench); break;
+    case PATCH_POLYGON: tribos_polygon_wrench_f64(&patch->polygon, 1, force_limit, &twist, &wrench); break;
     case PATCH_POINTS:
-        tribos_nodes_coulomb_wrench_f64(&law, patch->nodes, patch->node_count, 1, &turn, &wrench);
+        tribos_nodes_coulomb_wrench_f64(&law, patch->nodes, patch->node_count, force_limit, &twist, &wrench);
         break;
     }
-    return fabs(wrench.torque);
+    friction[0] = wrench.x;
+    friction[1] = wrench.y;
+    friction[2] = wrench.torque;
+}
+
+// Largest torque per force about the origin, and whether the patch is even there.
+static void set_arm(patch *patch)
+{
+    static const double motions[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    double friction[3][3];
+    for (int k = 0; k < 3; k++) oppose(&patch->set, 1, motions[k], friction[k]);
+    const double *x = friction[0], *y = friction[1], *spin = friction[2];
+    patch->set.arm = fabs(spin[2]);
+    patch->is_even = fmax(fabs(x[2]), fabs(y[2])) <= NONE * patch->set.arm && fmax(fabs(spin[0]), fabs(spin[1])) <= NONE;
+}
+
+// Whether a wrench lies between all forces without torque and the largest torques without force, surely inside of the set of
+// an even patch.
+static bool is_within(const patch *patch, double force_limit, const double wrench[3])
+{
+    const double left = (1 - NONE) * force_limit - fabs(wrench[2]) / patch->set.arm;
+    return patch->is_even && left >= 0 && wrench[0] * wrench[0] + wrench[1] * wrench[1] <= left * left;
 }
 
 static void project(const friction_set *set, double force_limit, const double wrench[3], double length,
                     double nearest[3])
 {
     const patch *patch = (const struct patch *)set;
+    if (is_within(patch, force_limit, wrench)) {
+        if (nearest != wrench) memcpy(nearest, wrench, 3 * sizeof(double));
+        return;
+    }
     const tribos_wrench_f64 given = {wrench[0], wrench[1], wrench[2]};
     const tribos_disk_surface_f64 disk = {force_limit, patch->radius};
     const tribos_round_f64 round = {1, patch->radius};
@@ -208,7 +236,10 @@ bool patch_read(patch *out, const char *kind, const char *size, const char *corn
         }
     }
     if (!is_known) return refuse(why, room, "patch must be one of " PATCH_NAMES ", not \"%s\"", kind);
-    if (is_read) out->set = (friction_set){project, arm(out)};
+    if (is_read) {
+        out->set = (friction_set){project, oppose, 0};
+        set_arm(out);
+    }
     return is_read;
 }
 

@@ -22,6 +22,7 @@ typedef struct patch {
     patch_kind kind;
     double radius;       // of a round patch, in m
     double inner_ratio;  // of an annulus
+    bool is_even;        // sliding has no torque and spin no force, about the origin
     tribos_polygon_f64 polygon;
     tribos_edge_f64 *edges;  // memory of the polygon
     tribos_node_f64 *nodes;  // points with equal loads

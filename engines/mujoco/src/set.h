@@ -10,6 +10,8 @@ struct friction_set {
     // the same bits if it lies inside. NaN for what is not finite.
     void (*project)(const friction_set *set, double force_limit, const double wrench[3], double length,
                     double nearest[3]);
+    // The friction of the set that opposes a motion (m/s, m/s, rad/s); none opposes rest. NaN for what is not finite.
+    void (*oppose)(const friction_set *set, double force_limit, const double motion[3], double friction[3]);
     double arm;  // largest torque per force about the origin, in m
 };
 

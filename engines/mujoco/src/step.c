@@ -3,6 +3,11 @@
 #include <float.h>
 #include "vectors.h"
 
+// Rounds in which friction follows a motion that it hardly changes, at most; the share of a round's change that the next may
+// have; and the change at which they end, in units of the largest friction.
+#define ROUNDS 8
+#define SLOW 0.25
+#define FOLLOWED 1e-9
 // By how much friction must be exceeded to be exceeded beyond all rounding.
 #define BEYOND 1.01
 // Accuracy to which a foot is solved among others, as a share of what the last sweep has changed.
@@ -58,11 +63,10 @@ static void eigenvalues(const double m[9], double *least, double *most)
     *most = fmax(m[0] + xy + xz, fmax(m[4] + xy + yz, m[8] + xz + yz));
 }
 
-// The foot's own block of the compliance as a metric.
-static void prepare(planar_foot *foot, const double block[9])
+// The foot's own block of the compliance, and its inverse.
+static void invert(planar_foot *foot, const double block[9])
 {
     double *c = foot->compliance;
-    foot->is_missed = false;
     memcpy(c, block, 9 * sizeof(double));
     const double arm_sq = foot->set->arm * foot->set->arm;
     const double floor = FLOOR * (c[0] + c[4] + c[8] * arm_sq);
@@ -70,7 +74,12 @@ static void prepare(planar_foot *foot, const double block[9])
     c[4] += floor;
     c[8] += floor / arm_sq;
     foot->has_inverse = inverse3(foot->inverse, c);
+}
 
+// The foot's own compliance as a metric.
+static void measure(planar_foot *foot)
+{
+    const double *c = foot->compliance;
     // The largest compliance of forces in the plane, and the length with which that of torques is equal to it.
     const double largest = 0.5 * (c[0] + c[4]) + norm2(0.5 * (c[0] - c[4]), c[1]);
     foot->length = sqrt(largest / c[8]);
@@ -335,8 +344,9 @@ static bool is_beyond(planar_foot *feet, int count, const double *compliance, do
         double most = 0, rate[2];
         for (int j = 0; j < count; j++) {
             const double *c = compliance + 9 * (count * i + j);
-            const double force = sqrt(c[0] * c[0] + c[1] * c[1] + c[3] * c[3] + c[4] * c[4]);
-            most += (force + norm2(c[2], c[5]) * feet[j].set->arm) * feet[j].limit;
+            const double arm = feet[j].set->arm, force_sq = c[0] * c[0] + c[1] * c[1] + c[3] * c[3] + c[4] * c[4];
+            // The sum of two lengths is at most the root of twice the sum of their squares.
+            most += sqrt(2 * (force_sq + arm * arm * (c[2] * c[2] + c[5] * c[5]))) * feet[j].limit;
         }
         for (int k = 0; k < 2; k++) rate[k] = feet[i].acceleration[k] + feet[i].velocity[k] / dt;
         if (!(norm2(rate[0], rate[1]) > BEYOND * most)) return false;
@@ -385,6 +395,41 @@ static void give_no_power(planar_foot *feet, int count, const double *compliance
         for (int k = 0; k < 3; k++) feet[i].friction[k] *= share;
 }
 
+// Friction that opposes the motion at half time, where feet slide so fast that it changes this motion little: each round
+// takes the friction that opposes the motion of the round before. False where rounds do not close in quickly, or a foot
+// turns about.
+static bool follow(planar_foot *feet, int count, const double *compliance, double dt)
+{
+    double limit = 0, before = 0;
+    for (int i = 0; i < count; i++) {
+        memcpy(feet[i].friction, feet[i].start, sizeof feet[i].friction);
+        limit = fmax(limit, feet[i].limit);
+    }
+    for (int round = 0; round < ROUNDS; round++) {
+        double change = 0;
+        for (int i = 0; i < count; i++) {
+            planar_foot *foot = feet + i;
+            double motion[3], moved[3], rate[3];
+            memcpy(rate, foot->acceleration, sizeof rate);
+            add_response(feet, count, compliance, i, rate);
+            memcpy(motion, foot->velocity, sizeof motion);
+            add_scaled3(motion, rate, 0.5 * dt);
+            memcpy(moved, foot->friction, sizeof moved);
+            foot->set->oppose(foot->set, foot->limit, motion, foot->friction);
+            subtract3(moved, foot->friction, moved);
+            const double share = norm2(moved[0], moved[1]) + fabs(moved[2]) / foot->set->arm;
+            change = share > change || isnan(share) ? share : change;
+        }
+        // What the next round would change, if each changes the same share of what the one before did; the first may change
+        // what motions do not feel.
+        const double next = round > 1 ? change * change / before : change;
+        if (fmin(change, next) <= FOLLOWED * limit) return !turns_about(feet, count, compliance, dt);
+        if (!(round == 0 || change <= SLOW * before)) return false;
+        before = change;
+    }
+    return false;
+}
+
 // Friction where not all feet come to rest at the end of the step.
 static void slide(planar_foot *feet, int count, const double *compliance, double dt, bool is_ended)
 {
@@ -404,10 +449,16 @@ static void slide(planar_foot *feet, int count, const double *compliance, double
 
 void step_solve(planar_foot *feet, int count, const double *compliance, double dt)
 {
-    for (int i = 0; i < count; i++) prepare(feet + i, compliance + 9 * (count * i + i));
+    for (int i = 0; i < count; i++) feet[i].is_held = feet[i].is_missed = false;
+    if (count == 1) invert(feet, compliance);
+    const bool is_sliding = is_beyond(feet, count, compliance, dt);
+    if (is_sliding && follow(feet, count, compliance, dt)) return;
+    for (int i = 0; i < count; i++) {
+        if (count > 1) invert(feet + i, compliance + 9 * (count * i + i));
+        measure(feet + i);
+    }
 
     // Rest at the end of the step.
-    const bool is_sliding = is_beyond(feet, count, compliance, dt);
     if (!is_sliding) {
         for (int from_start = 0; from_start < 2; from_start++)
             if (count > 1 && hold_together(feet, count, compliance, dt, from_start)) return;

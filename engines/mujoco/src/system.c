@@ -19,13 +19,20 @@ static bool remember_touch(tribos_system *system, foot *foot, const contact *con
         system->touches = touches;
         system->touch_room = room;
     }
-    touch made = {.sign = sign, .row = contact->row, .stiffness = contact->stiffness, .gap = contact->gap, .next = foot->first};
-    memcpy(made.position, contact->position, sizeof made.position);
-    memcpy(made.frame, contact->frame, sizeof made.frame);
-    memcpy(made.spring, contact->spring, sizeof made.spring);
-    if (contact->surface) memcpy(made.surface, contact->surface, sizeof made.surface);
+    touch *made = system->touches + system->touch_count;
+    made->sign = sign;
+    made->row = contact->row;
+    made->stiffness = contact->stiffness;
+    made->gap = contact->gap;
+    made->next = foot->first;
+    memcpy(made->position, contact->position, sizeof made->position);
+    memcpy(made->frame, contact->frame, sizeof made->frame);
+    memcpy(made->spring, contact->spring, sizeof made->spring);
+    memset(made->surface, 0, sizeof made->surface);
+    if (contact->surface) memcpy(made->surface, contact->surface, sizeof made->surface);
+    foot->is_conveyed = foot->is_conveyed || dot3(made->surface, made->surface) > 0;
     foot->first = system->touch_count;
-    system->touches[system->touch_count++] = made;
+    system->touch_count++;
     foot->contact_count++;
     add_scaled3(foot->normal_sum, contact->frame, sign);
     add_scaled3(foot->position_sum, contact->position, 1);
@@ -40,6 +47,7 @@ void system_begin(tribos_system *system, const view *v)
         foot->is_asleep = v->body_awake && !v->body_awake[foot->bodies[0]];
         foot->first = -1;
         foot->contact_count = 0;
+        foot->is_conveyed = false;
         memset(foot->normal_sum, 0, sizeof foot->normal_sum);
         memset(foot->position_sum, 0, sizeof foot->position_sum);
     }
@@ -67,6 +75,8 @@ const char *system_touch(tribos_system *system, const contact *contact)
 static void find_surface_velocity(const tribos_system *system, foot *foot)
 {
     double shift[3] = {0, 0, 0}, spin = 0;
+    memset(foot->surface, 0, sizeof foot->surface);
+    if (!foot->is_conveyed) return;
     for (int at = foot->first; at >= 0; at = system->touches[at].next) {
         const touch *touch = system->touches + at;
         const double *v = touch->surface, sign = touch->sign;
@@ -104,7 +114,7 @@ static void settle(const tribos_system *system, const view *v, foot *foot, bool 
 {
     foot_place(foot, v);
     foot_turn(foot, v);
-    if (is_free) foot_mobility_roots(foot, v);
+    if (is_free) foot_rows(foot, v);
     memset(foot->stiffness, 0, sizeof foot->stiffness);
     for (int at = foot->first; at >= 0; at = system->touches[at].next) {
         const touch *touch = system->touches + at;
@@ -130,15 +140,15 @@ size_t system_scratch(int count, int nv)
 }
 
 // A foot in the step of its group: what it remembers, in the axes that its patch has now.
-static planar_foot planar_of(const foot *foot, const double *state)
+static void take_foot(planar_foot *planar, const foot *foot, const double *state)
 {
-    planar_foot planar = {.set = foot->set, .limit = foot->mu * state[STATE_LOAD]};
-    memcpy(planar.velocity, foot->velocity, sizeof planar.velocity);
-    foot_in_plane(foot, state + STATE_ACCELERATION, planar.acceleration);
-    planar.acceleration[2] = state[STATE_TURNING];
-    foot_in_plane(foot, state + STATE_FORCE, planar.start);
-    planar.start[2] = state[STATE_TORQUE];
-    return planar;
+    planar->set = foot->set;
+    planar->limit = foot->mu * state[STATE_LOAD];
+    memcpy(planar->velocity, foot->velocity, sizeof planar->velocity);
+    foot_in_plane(foot, state + STATE_ACCELERATION, planar->acceleration);
+    planar->acceleration[2] = state[STATE_TURNING];
+    foot_in_plane(foot, state + STATE_FORCE, planar->start);
+    planar->start[2] = state[STATE_TORQUE];
 }
 
 // Adds the velocity with which slip is taken back, as one motion of the body: slips of feet that differ would turn
@@ -173,9 +183,8 @@ static void take_back(foot **touching, planar_foot *planar, int loaded, const do
 static void step_group(tribos_system *system, const view *v, const group *group)
 {
     const int room = group->count;
-    double *mobility = system->scratch, *compliance = mobility + MOBILITY(room),
-           *among = compliance + COMPLIANCE(room), *rest = among + COMPLIANCE(room), *rows = rest + SPRINGS(room);
-    planar_foot *planar = (planar_foot *)(rows + ROWS(room, v->nv));
+    double *compliance = system->scratch, *among = compliance + COMPLIANCE(room), *rest = among + COMPLIANCE(room);
+    planar_foot *planar = (planar_foot *)(rest + MOBILITY(room) + SPRINGS(room) + ROWS(room, v->nv));
     foot **touching = (foot **)(planar + room);
 
     int count = 0;
@@ -189,15 +198,14 @@ static void step_group(tribos_system *system, const view *v, const group *group)
         touching[count++] = foot;
     }
     if (!count) return;
-    find_mobility(v, touching, count, group->is_free, rows, mobility);
-    find_compliance(touching, count, mobility, rest, compliance);
+    find_compliance(v, touching, count, group->is_free, group->body, rest, compliance);
 
     // Only feet that carried a load in the last step have friction.
     int loaded = 0;
     for (int i = 0; i < count; i++) {
         const double *state = v->states + touching[i]->state;
         if (!(state[STATE_LOAD] > 0)) continue;
-        planar[loaded] = planar_of(touching[i], state);
+        take_foot(planar + loaded, touching[i], state);
         planar[loaded++].index = i;
     }
     if (!loaded) return;

@@ -37,6 +37,7 @@ typedef struct membership {
 typedef struct group {
     int *feet, count;
     bool is_free;  // all bodies move freely or not at all
+    int body;      // the only one that moves, if it moves freely, else 0
 } group;
 
 typedef struct tribos_system {

@@ -173,8 +173,9 @@ static void together(double *left, double *changed, int *held)
 
 // Four feet at other heights of a body that slides and tilts: searches stop at their counts, friction is in its sets and
 // gives no power to the mean motion all the same; where they do not, it opposes the motion of each foot at half time or at
-// the end. Outside and power are in units of what the limits would do.
-static void sliding(double *outside, double *given, double *opposed, int *missed, int *found)
+// the end. Outside and power are in units of what the limits would do. With a `speed` in units of what the pushes do in a
+// step the body moves as one along them.
+static void sliding(double speed, double *outside, double *given, double *opposed, int *missed, int *found)
 {
     patch disk = read("disk", "0.02");
     for (int i = 0; i < CASES / 20; i++) {
@@ -188,7 +189,7 @@ static void sliding(double *outside, double *given, double *opposed, int *missed
             feet[f] = (planar_foot){.set = &disk.set, .limit = 2 + drawn()};
             for (int k = 0; k < 3; k++) {
                 for (int j = 0; j < 5; j++) feet[f].acceleration[k] += row[5 * k + j] * body[j];
-                feet[f].velocity[k] = DT * drawn() * feet[f].acceleration[k];
+                feet[f].velocity[k] = DT * (speed > 0 ? speed : drawn()) * feet[f].acceleration[k];
                 feet[f].start[k] = 0.7 * drawn() * feet[f].limit * (k == 2 ? disk.set.arm : 1);
             }
             disk.set.project(&disk.set, feet[f].limit, feet[f].start, disk.set.arm, feet[f].start);
@@ -231,13 +232,16 @@ static void sliding(double *outside, double *given, double *opposed, int *missed
 int main(void)
 {
     double kernel = 0, conditions = 0, left = 0, changed = 0, outside = 0, given = -1, opposed = 0;
-    int held = 0, others = 0, held_alone = 0, held_together = 0, missed = 0, found = 0;
-    sliding(&outside, &given, &opposed, &missed, &found);
+    double followed = 0;
+    int held = 0, others = 0, held_alone = 0, held_together = 0, missed = 0, found = 0, fast_missed = 0, fast = 0;
+    sliding(0, &outside, &given, &opposed, &missed, &found);
+    sliding(100, &outside, &given, &followed, &fast_missed, &fast);
     beside_the_kernel(&kernel, &held, &others);
     by_its_conditions(&conditions, &held_alone);
     together(&left, &changed, &held_together);
     printf("kernel %g\nheld %d\nothers %d\nconditions %g\nheld_alone %d\nleft %g\nchanged %g\nheld_together %d\n", kernel,
            held, others, conditions, held_alone, left, changed, held_together);
+    printf("followed %g\nfast %d\nfast_missed %d\n", followed, fast, fast_missed);
     printf("outside %g\ngiven %g\nopposed %g\nmissed %d\nfound %d\n", outside, given, opposed, missed, found);
     return 0;
 }

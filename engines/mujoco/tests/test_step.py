@@ -31,6 +31,9 @@ def test_friction_of_a_step_is_the_kernels_and_meets_its_conditions():
     # Four feet that slide and move each other.
     assert found["found"] > 100
     assert found["opposed"] < 1e-6
+    # And that slide fast.
+    assert found["fast"] > 900
+    assert found["followed"] < 1e-7
 
 
 def test_searches_that_stop_early_leave_friction_in_its_sets_without_power_and_count():
