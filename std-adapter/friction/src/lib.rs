@@ -51,6 +51,7 @@ mod refusal;
 #[cfg(feature = "scenes")]
 mod setting;
 mod surface;
+mod surface_batch;
 mod text;
 mod tier;
 mod visit;
@@ -87,6 +88,7 @@ pub use surface::LimitSurfaces;
 pub use surface::points_of;
 #[doc(hidden)]
 pub use surface::{BoxedDryFriction, OwnedNodes};
+pub use surface_batch::SurfaceBatch;
 pub use tier::Tier;
 #[doc(hidden)]
 pub use tier::{Evaluation, LARGEST_EXPONENT, valid_exponent};
