@@ -104,7 +104,7 @@ impl LimitSurfaces {
         &'a self,
         force_limits: &'a [f64],
     ) -> Result<SurfaceBatch<'a>, FrictionError> {
-        let Kind::Round { dry, radius } = &self.0 else {
+        let (Kind::Round { dry, radius }, [_, _, ..]) = (&self.0, force_limits) else {
             return Ok(SurfaceBatch::of_runs(self.runs(force_limits)?));
         };
         let is_wrong = |limit: &&f64| !(**limit >= 0.0 && limit.is_finite());
