@@ -100,6 +100,7 @@ impl LimitSurfaces {
     /// assert!(gauges[0] < 1.0 && gauges[1] > 1.0);
     /// # Ok::<(), tribos::friction::FrictionError>(())
     /// ```
+    #[doc(hidden)]
     pub fn under_each<'a>(
         &'a self,
         force_limits: &'a [f64],
@@ -116,6 +117,7 @@ impl LimitSurfaces {
     }
 
     /// A surface for each run of equal force limits, and the number of these.
+    #[doc(hidden)]
     pub fn runs(
         &self,
         force_limits: &[f64],
