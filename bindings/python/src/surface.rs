@@ -138,8 +138,10 @@ impl LimitSurface {
         wrenches: &Bound<'py, PyAny>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let given = [force_limit, wrenches];
-        self.batch(given, out, 0.0, SurfaceBatch::gauge_batch, |g| [*g])
+        let of = |surfaces: &SurfaceBatch<'_>, wrenches: &[_], gauges: &mut [_]| {
+            surfaces.gauge_batch(wrenches, gauges);
+        };
+        self.batch([force_limit, wrenches], out, 0.0, of, |gauge| [*gauge])
     }
 
     /// Support function at twists: the dissipated power, in W.
@@ -176,9 +178,10 @@ impl LimitSurface {
         wrenches: &Bound<'py, PyAny>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let given = [force_limit, wrenches];
-        let normals = SurfaceBatch::twist_normal_to_batch;
-        self.batch(given, out, Twist::ZERO, normals, twist_numbers)
+        let of = |surfaces: &SurfaceBatch<'_>, pushes: &[_], twists: &mut [_]| {
+            surfaces.twist_normal_to_batch(pushes, twists);
+        };
+        self.batch([force_limit, wrenches], out, Twist::ZERO, of, twist_numbers)
     }
 
     /// The wrenches on the same rays on the surface.
@@ -212,10 +215,10 @@ impl LimitSurface {
             wrench: Wrench::ZERO,
             region: Region::Inside,
         };
-        let nearest = |surfaces: &SurfaceBatch<'_>, wrenches: &[_], found: &mut [_]| {
+        let of = |surfaces: &SurfaceBatch<'_>, wrenches: &[_], found: &mut [_]| {
             surfaces.project_batch(length, wrenches, found);
         };
-        self.batch([force_limit, wrenches], out, blank, nearest, |found| {
+        self.batch([force_limit, wrenches], out, blank, of, |found| {
             numbers(&found.wrench)
         })
     }
