@@ -162,7 +162,11 @@ pub unsafe extern "C" fn tribos_annulus_project_batch_f64(
         length,
         projections,
     };
-    status(|| all.onto_patch(Annulus::new(CoulombDisk, inner_ratio)?, patch))
+    status(|| {
+        // Null is told before any other refusal.
+        read(patch)?;
+        all.onto_patch(Annulus::new(CoulombDisk, inner_ratio)?, patch)
+    })
 }
 
 /// Projections of `count` wrenches onto the surface of a Hertz contact, as tribos_hertz_project_f64.
