@@ -1,5 +1,6 @@
 //! Limit surfaces of patches by name.
 
+use super::surface_batch::Runs;
 use super::text::files;
 use super::{Area, Flat, FrictionError, Patch, Precision, SurfaceBatch};
 use std::fmt;
@@ -118,10 +119,7 @@ impl LimitSurfaces {
 
     /// A surface for each run of equal force limits, and the number of these.
     #[doc(hidden)]
-    pub fn runs(
-        &self,
-        force_limits: &[f64],
-    ) -> Result<Vec<(usize, Box<dyn FrictionSet<f64> + '_>)>, FrictionError> {
+    pub fn runs(&self, force_limits: &[f64]) -> Result<Runs<'_>, FrictionError> {
         let runs = force_limits.chunk_by(|a, b| a.to_bits() == b.to_bits());
         runs.map(|run| Ok((run.len(), self.boxed(run[0])?)))
             .collect()

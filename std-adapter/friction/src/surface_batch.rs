@@ -15,15 +15,14 @@ pub struct SurfaceBatch<'a>(Surfaces<'a>);
 
 enum Surfaces<'a> {
     /// The surface under the force limit 1, and the limits.
-    Round(
-        RoundLimitSurface<f64, &'a dyn BoxedDryFriction<f64>>,
-        &'a [f64],
-    ),
+    Round(Box<UnitSurface<'a>>, &'a [f64]),
     Runs(Runs<'a>),
 }
 
+type UnitSurface<'a> = RoundLimitSurface<f64, &'a dyn BoxedDryFriction<f64>>;
+
 /// Numbers of elements, and the surface of each.
-type Runs<'a> = Vec<(usize, Box<dyn FrictionSet<f64> + 'a>)>;
+pub type Runs<'a> = Vec<(usize, Box<dyn FrictionSet<f64> + 'a>)>;
 
 impl fmt::Debug for SurfaceBatch<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -36,11 +35,8 @@ impl fmt::Debug for SurfaceBatch<'_> {
 }
 
 impl<'a> SurfaceBatch<'a> {
-    pub(super) fn of_round(
-        unit: RoundLimitSurface<f64, &'a dyn BoxedDryFriction<f64>>,
-        limits: &'a [f64],
-    ) -> Self {
-        Self(Surfaces::Round(unit, limits))
+    pub(super) fn of_round(unit: UnitSurface<'a>, limits: &'a [f64]) -> Self {
+        Self(Surfaces::Round(Box::new(unit), limits))
     }
 
     pub(super) fn of_runs(runs: Runs<'a>) -> Self {
