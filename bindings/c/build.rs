@@ -11,11 +11,11 @@ const MODULES: [&str; 13] = [
     "patch_batch",
     "nodes",
     "surface",
-    "batch",
     "polygon",
     "patch_surface",
     "slider",
     "planar",
+    "batch",
     "contact",
     "update",
 ];

@@ -272,34 +272,47 @@ static void LOCAL(feed_projection)(struct stream *s, tribos_status status, NAME(
     }
 }
 
-static void LOCAL(batches)(struct stream *s, NAME(disk_surface) disk, REAL length, enum range range)
+/* More than are converted at once. */
+enum { LOCAL(BATCH) = 21 };
+
+static void LOCAL(feed_projections)(
+    struct stream *s, tribos_status status, const NAME(projection) *all)
 {
-    enum { BATCH = 21 };
-    REAL loads[BATCH], gauges[BATCH];
-    NAME(wrench) pushes[BATCH];
-    NAME(twist) motions[BATCH];
-    NAME(projection) nearest[BATCH];
     int i;
 
-    LOCAL(draws)(s, range, loads, BATCH);
-    for (i = 0; i < BATCH; ++i) {
+    if (ok(s, status)) {
+        for (i = 0; i < LOCAL(BATCH); ++i) {
+            LOCAL(feed_projection)(s, TRIBOS_STATUS_OK, all[i]);
+        }
+    }
+}
+
+static void LOCAL(batches)(struct stream *s, NAME(disk_surface) disk, REAL length, enum range range)
+{
+    REAL loads[LOCAL(BATCH)], gauges[LOCAL(BATCH)];
+    NAME(wrench) pushes[LOCAL(BATCH)];
+    NAME(twist) motions[LOCAL(BATCH)];
+    NAME(projection) nearest[LOCAL(BATCH)];
+    tribos_status status;
+    int i;
+
+    LOCAL(draws)(s, range, loads, LOCAL(BATCH));
+    for (i = 0; i < LOCAL(BATCH); ++i) {
         pushes[i] = LOCAL(draw_wrench)(s, range);
     }
-    if (ok(s, NAME(disk_surface_gauge_batch)(&disk, loads, pushes, BATCH, gauges))) {
-        for (i = 0; i < BATCH; ++i) {
+    if (ok(s, NAME(disk_surface_gauge_batch)(&disk, loads, pushes, LOCAL(BATCH), gauges))) {
+        for (i = 0; i < LOCAL(BATCH); ++i) {
             feed_number(s, gauges[i]);
         }
     }
-    if (ok(s, NAME(disk_surface_motion_batch)(&disk, pushes, BATCH, motions))) {
-        for (i = 0; i < BATCH; ++i) {
+    if (ok(s, NAME(disk_surface_motion_batch)(&disk, pushes, LOCAL(BATCH), motions))) {
+        for (i = 0; i < LOCAL(BATCH); ++i) {
             LOCAL(feed_three)(s, motions[i].x, motions[i].y, motions[i].spin);
         }
     }
-    if (ok(s, NAME(disk_surface_project_batch)(&disk, loads, pushes, BATCH, length, nearest))) {
-        for (i = 0; i < BATCH; ++i) {
-            LOCAL(feed_projection)(s, TRIBOS_STATUS_OK, nearest[i]);
-        }
-    }
+    status = NAME(disk_surface_project_batch)(
+        &disk, loads, pushes, LOCAL(BATCH), length, nearest);
+    LOCAL(feed_projections)(s, status, nearest);
 }
 
 static void LOCAL(feed_step)(struct stream *s, tribos_status status, NAME(planar_step) step)
@@ -317,9 +330,12 @@ static void LOCAL(planar_steps)(
     REAL p[3];
     NAME(planar_body) body;
     NAME(planar_step) step = {{0, 0, 0}, {0, 0, 0}, 0};
-    NAME(twist) twist;
-    NAME(wrench) push;
+    NAME(twist) twist, twists[LOCAL(BATCH)];
+    NAME(wrench) push, pushes[LOCAL(BATCH)];
+    NAME(planar_step) steps[LOCAL(BATCH)];
+    REAL loads[LOCAL(BATCH)];
     tribos_status status;
+    int i;
 
     LOCAL(draws)(s, FIT, p, 3);
     twist = LOCAL(draw_twist)(s, range);
@@ -330,6 +346,18 @@ static void LOCAL(planar_steps)(
     LOCAL(feed_step)(s, status, step);
     status = NAME(planar_ellipsoid_step)(&body, &usual, &twist, &push, p[2], &step);
     LOCAL(feed_step)(s, status, step);
+    for (i = 0; i < LOCAL(BATCH); ++i) {
+        loads[i] = LOCAL(draw)(s, range);
+        twists[i] = LOCAL(draw_twist)(s, range);
+        pushes[i] = LOCAL(draw_wrench)(s, range);
+    }
+    status = NAME(planar_disk_step_batch)(
+        &body, &disk, loads, twists, pushes, LOCAL(BATCH), p[2], steps);
+    if (ok(s, status)) {
+        for (i = 0; i < LOCAL(BATCH); ++i) {
+            LOCAL(feed_step)(s, TRIBOS_STATUS_OK, steps[i]);
+        }
+    }
 }
 
 static void LOCAL(surfaces)(struct stream *s, enum range range)

@@ -7,6 +7,9 @@ static void LOCAL(other_surfaces)(struct stream *s, enum range range)
     NAME(node) nodes[4];
     NAME(wrench) wrench;
     NAME(projection) nearest = {{0, 0, 0}, {0, 0, 0}, 0};
+    NAME(wrench) pushes[LOCAL(BATCH)];
+    NAME(projection) all[LOCAL(BATCH)];
+    REAL loads[LOCAL(BATCH)];
     tribos_status status;
     int i;
 
@@ -27,6 +30,19 @@ static void LOCAL(other_surfaces)(struct stream *s, enum range range)
     NUMBER(NAME(punch_gauge)(&patch, p[2], &wrench, &out));
     status = NAME(punch_project)(&patch, p[2], &wrench, p[3], &nearest);
     LOCAL(feed_projection)(s, status, nearest);
+    LOCAL(draws)(s, range, loads, LOCAL(BATCH));
+    for (i = 0; i < LOCAL(BATCH); ++i) {
+        pushes[i] = LOCAL(draw_wrench)(s, range);
+    }
+    status = NAME(annulus_project_batch)(
+        &patch, p[4] / 2, loads, pushes, LOCAL(BATCH), p[3], all);
+    LOCAL(feed_projections)(s, status, all);
+    status = NAME(hertz_project_batch)(&patch, loads, pushes, LOCAL(BATCH), p[3], all);
+    LOCAL(feed_projections)(s, status, all);
+    status = NAME(ring_project_batch)(&patch, loads, pushes, LOCAL(BATCH), p[3], all);
+    LOCAL(feed_projections)(s, status, all);
+    status = NAME(punch_project_batch)(&patch, loads, pushes, LOCAL(BATCH), p[3], all);
+    LOCAL(feed_projections)(s, status, all);
     for (i = 0; i < 4; ++i) {
         nodes[i].x = x[3 * i];
         nodes[i].y = x[3 * i + 1];

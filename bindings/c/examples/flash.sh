@@ -16,7 +16,7 @@ echo "|---|---|---|"
 for name in lugre_step stribeck_friction rate_state_friction \
   disk_wrench disk_jacobian hertz_wrench ring_wrench punch_wrench \
   power_compact_build power_compact_wrench power_table_build power_table_wrench nodes_coulomb_wrench polygon_nodes \
-  disk_surface_gauge disk_surface_project ellipsoid_gauge \
+  disk_surface_gauge disk_surface_project disk_surface_project_batch planar_disk_step planar_disk_step_batch ellipsoid_gauge \
   polygon_new polygon_lean polygon_wrench polygon_wrench_jacobian polygon_gauge polygon_project \
   slider_verlet_step slider_advance slider_to_rest \
   contact_spheres update_sliding_spheres update_all_spheres update_patch_spheres; do

@@ -1278,29 +1278,6 @@ tribos_status tribos_ellipsoid_project_f64(const struct tribos_ellipsoid_f64 *el
                                            double length,
                                            struct tribos_projection_f64 *projection);
 
-// Gauges of `count` wrenches, as tribos_disk_surface_gauge_f64.
-// Special values: NaN for a load that is negative or NaN.
-tribos_status tribos_disk_surface_gauge_batch_f64(const struct tribos_disk_surface_f64 *surface,
-                                                  const double *loads,
-                                                  const struct tribos_wrench_f64 *wrenches,
-                                                  size_t count,
-                                                  double *gauges);
-
-// The motions caused by `count` pushes, as tribos_disk_surface_motion_f64; they do not depend on the load.
-tribos_status tribos_disk_surface_motion_batch_f64(const struct tribos_disk_surface_f64 *surface,
-                                                   const struct tribos_wrench_f64 *pushes,
-                                                   size_t count,
-                                                   struct tribos_twist_f64 *twists);
-
-// Projections of `count` wrenches, as tribos_disk_surface_project_f64; a length of 0 represents the radius.
-// Special values: NaN for a load that is negative or NaN.
-tribos_status tribos_disk_surface_project_batch_f64(const struct tribos_disk_surface_f64 *surface,
-                                                    const double *loads,
-                                                    const struct tribos_wrench_f64 *wrenches,
-                                                    size_t count,
-                                                    double length,
-                                                    struct tribos_projection_f64 *projections);
-
 // Prepares a polygon, convex or not, under uniform pressure. `corners` holds the corners of `loops` loops
 // one after another, `counts` how many each has: first the outer loop, then holes inside of it and outside
 // of each other, clockwise or counterclockwise. `memory` has room for `room` edges, one a corner is needed.
@@ -1482,6 +1459,77 @@ tribos_status tribos_planar_ellipsoid_step_f64(const struct tribos_planar_body_f
                                                const struct tribos_wrench_f64 *push,
                                                double dt,
                                                struct tribos_planar_step_f64 *step);
+
+// Gauges of `count` wrenches, as tribos_disk_surface_gauge_f64.
+// Special values: NaN for a load that is negative or NaN.
+tribos_status tribos_disk_surface_gauge_batch_f64(const struct tribos_disk_surface_f64 *surface,
+                                                  const double *loads,
+                                                  const struct tribos_wrench_f64 *wrenches,
+                                                  size_t count,
+                                                  double *gauges);
+
+// The motions caused by `count` pushes, as tribos_disk_surface_motion_f64; they do not depend on the load.
+tribos_status tribos_disk_surface_motion_batch_f64(const struct tribos_disk_surface_f64 *surface,
+                                                   const struct tribos_wrench_f64 *pushes,
+                                                   size_t count,
+                                                   struct tribos_twist_f64 *twists);
+
+// Projections of `count` wrenches, as tribos_disk_surface_project_f64; a length of 0 represents the radius.
+// Special values: NaN for a load that is negative or NaN.
+tribos_status tribos_disk_surface_project_batch_f64(const struct tribos_disk_surface_f64 *surface,
+                                                    const double *loads,
+                                                    const struct tribos_wrench_f64 *wrenches,
+                                                    size_t count,
+                                                    double length,
+                                                    struct tribos_projection_f64 *projections);
+
+// Projections of `count` wrenches onto the surface of an annulus, as tribos_annulus_project_f64.
+// Special values: NaN for a load that is negative or NaN.
+tribos_status tribos_annulus_project_batch_f64(const struct tribos_round_f64 *patch,
+                                               double inner_ratio,
+                                               const double *loads,
+                                               const struct tribos_wrench_f64 *wrenches,
+                                               size_t count,
+                                               double length,
+                                               struct tribos_projection_f64 *projections);
+
+// Projections of `count` wrenches onto the surface of a Hertz contact, as tribos_hertz_project_f64.
+// Special values: NaN for a load that is negative or NaN.
+tribos_status tribos_hertz_project_batch_f64(const struct tribos_round_f64 *patch,
+                                             const double *loads,
+                                             const struct tribos_wrench_f64 *wrenches,
+                                             size_t count,
+                                             double length,
+                                             struct tribos_projection_f64 *projections);
+
+// Projections of `count` wrenches onto the surface of a ring, as tribos_ring_project_f64.
+// Special values: NaN for a load that is negative or NaN.
+tribos_status tribos_ring_project_batch_f64(const struct tribos_round_f64 *patch,
+                                            const double *loads,
+                                            const struct tribos_wrench_f64 *wrenches,
+                                            size_t count,
+                                            double length,
+                                            struct tribos_projection_f64 *projections);
+
+// Projections of `count` wrenches onto the surface of a rigid flat punch, as tribos_punch_project_f64.
+// Special values: NaN for a load that is negative or NaN.
+tribos_status tribos_punch_project_batch_f64(const struct tribos_round_f64 *patch,
+                                             const double *loads,
+                                             const struct tribos_wrench_f64 *wrenches,
+                                             size_t count,
+                                             double length,
+                                             struct tribos_projection_f64 *projections);
+
+// Steps of `count` bodies alike, each with its load, motion and push, as tribos_planar_disk_step_f64.
+// Special values: as there; NaN for a load that is negative or NaN, unless the body rests without push.
+tribos_status tribos_planar_disk_step_batch_f64(const struct tribos_planar_body_f64 *body,
+                                                const struct tribos_disk_surface_f64 *surface,
+                                                const double *loads,
+                                                const struct tribos_twist_f64 *twists,
+                                                const struct tribos_wrench_f64 *pushes,
+                                                size_t count,
+                                                double dt,
+                                                struct tribos_planar_step_f64 *steps);
 
 // Contact geometry of two spheres; `displacement` is the vector from the first centre to the second.
 // Accuracy: the normal to 4 ulp, the gap to 2 ulp of the distance.
@@ -1983,29 +2031,6 @@ tribos_status tribos_ellipsoid_project_f32(const struct tribos_ellipsoid_f32 *el
                                            float length,
                                            struct tribos_projection_f32 *projection);
 
-// Gauges of `count` wrenches, as tribos_disk_surface_gauge_f32.
-// Special values: NaN for a load that is negative or NaN.
-tribos_status tribos_disk_surface_gauge_batch_f32(const struct tribos_disk_surface_f32 *surface,
-                                                  const float *loads,
-                                                  const struct tribos_wrench_f32 *wrenches,
-                                                  size_t count,
-                                                  float *gauges);
-
-// The motions caused by `count` pushes, as tribos_disk_surface_motion_f32; they do not depend on the load.
-tribos_status tribos_disk_surface_motion_batch_f32(const struct tribos_disk_surface_f32 *surface,
-                                                   const struct tribos_wrench_f32 *pushes,
-                                                   size_t count,
-                                                   struct tribos_twist_f32 *twists);
-
-// Projections of `count` wrenches, as tribos_disk_surface_project_f32; a length of 0 represents the radius.
-// Special values: NaN for a load that is negative or NaN.
-tribos_status tribos_disk_surface_project_batch_f32(const struct tribos_disk_surface_f32 *surface,
-                                                    const float *loads,
-                                                    const struct tribos_wrench_f32 *wrenches,
-                                                    size_t count,
-                                                    float length,
-                                                    struct tribos_projection_f32 *projections);
-
 // Prepares a polygon, convex or not, under uniform pressure. `corners` holds the corners of `loops` loops
 // one after another, `counts` how many each has: first the outer loop, then holes inside of it and outside
 // of each other, clockwise or counterclockwise. `memory` has room for `room` edges, one a corner is needed.
@@ -2187,6 +2212,77 @@ tribos_status tribos_planar_ellipsoid_step_f32(const struct tribos_planar_body_f
                                                const struct tribos_wrench_f32 *push,
                                                float dt,
                                                struct tribos_planar_step_f32 *step);
+
+// Gauges of `count` wrenches, as tribos_disk_surface_gauge_f32.
+// Special values: NaN for a load that is negative or NaN.
+tribos_status tribos_disk_surface_gauge_batch_f32(const struct tribos_disk_surface_f32 *surface,
+                                                  const float *loads,
+                                                  const struct tribos_wrench_f32 *wrenches,
+                                                  size_t count,
+                                                  float *gauges);
+
+// The motions caused by `count` pushes, as tribos_disk_surface_motion_f32; they do not depend on the load.
+tribos_status tribos_disk_surface_motion_batch_f32(const struct tribos_disk_surface_f32 *surface,
+                                                   const struct tribos_wrench_f32 *pushes,
+                                                   size_t count,
+                                                   struct tribos_twist_f32 *twists);
+
+// Projections of `count` wrenches, as tribos_disk_surface_project_f32; a length of 0 represents the radius.
+// Special values: NaN for a load that is negative or NaN.
+tribos_status tribos_disk_surface_project_batch_f32(const struct tribos_disk_surface_f32 *surface,
+                                                    const float *loads,
+                                                    const struct tribos_wrench_f32 *wrenches,
+                                                    size_t count,
+                                                    float length,
+                                                    struct tribos_projection_f32 *projections);
+
+// Projections of `count` wrenches onto the surface of an annulus, as tribos_annulus_project_f32.
+// Special values: NaN for a load that is negative or NaN.
+tribos_status tribos_annulus_project_batch_f32(const struct tribos_round_f32 *patch,
+                                               float inner_ratio,
+                                               const float *loads,
+                                               const struct tribos_wrench_f32 *wrenches,
+                                               size_t count,
+                                               float length,
+                                               struct tribos_projection_f32 *projections);
+
+// Projections of `count` wrenches onto the surface of a Hertz contact, as tribos_hertz_project_f32.
+// Special values: NaN for a load that is negative or NaN.
+tribos_status tribos_hertz_project_batch_f32(const struct tribos_round_f32 *patch,
+                                             const float *loads,
+                                             const struct tribos_wrench_f32 *wrenches,
+                                             size_t count,
+                                             float length,
+                                             struct tribos_projection_f32 *projections);
+
+// Projections of `count` wrenches onto the surface of a ring, as tribos_ring_project_f32.
+// Special values: NaN for a load that is negative or NaN.
+tribos_status tribos_ring_project_batch_f32(const struct tribos_round_f32 *patch,
+                                            const float *loads,
+                                            const struct tribos_wrench_f32 *wrenches,
+                                            size_t count,
+                                            float length,
+                                            struct tribos_projection_f32 *projections);
+
+// Projections of `count` wrenches onto the surface of a rigid flat punch, as tribos_punch_project_f32.
+// Special values: NaN for a load that is negative or NaN.
+tribos_status tribos_punch_project_batch_f32(const struct tribos_round_f32 *patch,
+                                             const float *loads,
+                                             const struct tribos_wrench_f32 *wrenches,
+                                             size_t count,
+                                             float length,
+                                             struct tribos_projection_f32 *projections);
+
+// Steps of `count` bodies alike, each with its load, motion and push, as tribos_planar_disk_step_f32.
+// Special values: as there; NaN for a load that is negative or NaN, unless the body rests without push.
+tribos_status tribos_planar_disk_step_batch_f32(const struct tribos_planar_body_f32 *body,
+                                                const struct tribos_disk_surface_f32 *surface,
+                                                const float *loads,
+                                                const struct tribos_twist_f32 *twists,
+                                                const struct tribos_wrench_f32 *pushes,
+                                                size_t count,
+                                                float dt,
+                                                struct tribos_planar_step_f32 *steps);
 
 // Contact geometry of two spheres; `displacement` is the vector from the first centre to the second.
 // Accuracy: the normal to 4 ulp, the gap to 2 ulp of the distance.

@@ -6,7 +6,9 @@ use numpy::{
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
+use std::borrow::Cow;
 use std::fmt::Display;
+use std::ops::Range;
 
 /// The refusal of an argument, with the kernel's text.
 pub fn refused(error: impl Display) -> PyErr {
@@ -202,6 +204,14 @@ impl<const N: usize> View<'_, N> {
         match self {
             Self::One(row) => *row,
             Self::Each(rows) => rows[index],
+        }
+    }
+
+    /// The rows of these elements.
+    pub fn rows(&self, of: Range<usize>) -> Cow<'_, [[f64; N]]> {
+        match self {
+            Self::One(row) => Cow::Owned(vec![*row; of.len()]),
+            Self::Each(rows) => Cow::Borrowed(&rows[of]),
         }
     }
 }

@@ -1,35 +1,19 @@
 //! Bodies that are pushed and turned on their patch: implicit time steps.
 
 use crate::arrays::{Batched, Column, Numbers, Output, Rows, View, broadcast, refused};
-use crate::model::{numbers, twist_numbers, twist_of, wrench_of};
+use crate::model::{Sets, numbers, twist_numbers, twist_of, wrench_of};
 use crate::patch::Patch;
 use crate::surface::LimitSurface;
-use crate::threads::fill;
+use crate::threads::fill_together;
 use numpy::{PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
+use std::borrow::Cow;
+use std::ops::Range;
+use tribos::friction::SurfaceBatch;
 use tribos_core::contact::TimeStep;
-use tribos_core::limit_surface::FrictionSet;
 use tribos_core::planar::{PlanarBody, PlanarStep};
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench};
-
-/// Twist, friction and whether friction holds the body, after a step.
-#[derive(Clone, Copy, Default)]
-struct StepResult {
-    twist: [f64; 3],
-    friction: [f64; 3],
-    is_at_rest: bool,
-}
-
-impl StepResult {
-    fn of(step: &PlanarStep<f64>) -> Self {
-        Self {
-            twist: twist_numbers(&step.twist),
-            friction: numbers(&step.friction),
-            is_at_rest: step.is_at_rest,
-        }
-    }
-}
 
 /// What the bodies of a batch are, as Python gives it.
 #[derive(FromPyObject)]
@@ -54,13 +38,6 @@ struct Columns<'py>([Column<'py, 1>; 4]);
 /// The same without Python.
 #[derive(Clone, Copy)]
 struct Bodies<'a>([View<'a, 1>; 4]);
-
-/// A body with its time step.
-#[derive(Clone, Copy)]
-struct Stepper {
-    body: PlanarBody<f64>,
-    dt: TimeStep<f64>,
-}
 
 impl<'py> BodyArguments<'py> {
     fn numbered(&self) -> PyResult<BodyNumbers<'py>> {
@@ -92,106 +69,108 @@ impl Columns<'_> {
 }
 
 impl Bodies<'_> {
-    /// The force limit of body `index`.
-    fn limit(&self, index: usize) -> f64 {
-        let [limit] = self.0[0].at(index);
-        limit
-    }
-
-    /// The force limit of all bodies, if there is one.
-    fn limit_of_all(&self) -> Option<f64> {
-        match self.0[0] {
-            View::One([limit]) => Some(limit),
-            View::Each(_) => None,
+    /// The bodies `of` with their time steps: one, if all are alike.
+    fn with_steps(&self, mut of: Range<usize>) -> PyResult<Vec<(PlanarBody<f64>, TimeStep<f64>)>> {
+        let [_, given @ ..] = self.0;
+        if given.iter().all(|one| matches!(one, View::One(_))) {
+            of.end = of.end.min(of.start + 1);
         }
-    }
-
-    /// True if all bodies are alike.
-    fn are_alike(&self) -> bool {
-        self.0.iter().all(|one| matches!(one, View::One(_)))
-    }
-
-    fn stepper(&self, index: usize) -> PyResult<Stepper> {
-        let [_, mass, inertia, dt] = self.0.map(|one| one.at(index)[0]);
-        Ok(Stepper {
-            body: PlanarBody::new(mass, inertia).map_err(refused)?,
-            dt: TimeStep::new(dt).map_err(refused)?,
-        })
-    }
-}
-
-impl Stepper {
-    /// A step of a body whose patch is turned by `angle`, in rad, if its turning matters.
-    fn step(
-        &self,
-        set: &dyn FrictionSet<f64>,
-        angle: Option<f64>,
-        twist: [f64; 3],
-        push: [f64; 3],
-    ) -> StepResult {
-        let Some(angle) = angle.filter(|angle| *angle != 0.0) else {
-            return self.step_along_axes(set, twist, push);
+        let one = |index| {
+            let [mass, inertia, dt] = given.map(|one| one.at(index)[0]);
+            let body = PlanarBody::new(mass, inertia).map_err(refused)?;
+            Ok((body, TimeStep::new(dt).map_err(refused)?))
         };
-        let (sin, cos) = (Real::sin(angle), Real::cos(angle));
-        let into = |[x, y, turn]: [f64; 3]| [cos * x + sin * y, cos * y - sin * x, turn];
-        let back = |[x, y, turn]: [f64; 3]| [cos * x - sin * y, cos * y + sin * x, turn];
-        let step = self.step_along_axes(set, into(twist), into(push));
-        StepResult {
-            twist: if step.is_at_rest {
-                [0.0; 3]
-            } else {
-                back(step.twist)
-            },
-            friction: back(step.friction),
-            ..step
-        }
+        of.map(one).collect()
     }
 
-    fn step_along_axes(
-        &self,
-        set: &dyn FrictionSet<f64>,
-        twist: [f64; 3],
-        push: [f64; 3],
-    ) -> StepResult {
-        let (twist, push) = (twist_of(twist), wrench_of(push));
-        StepResult::of(&self.body.step(set, &twist, &push, self.dt))
+    /// The force limits of the bodies `of`.
+    fn limits(&self, of: Range<usize>) -> Cow<'_, [[f64; 1]]> {
+        self.0[0].rows(of)
+    }
+
+    /// Half the time step of a body, in s.
+    fn half_step(&self, index: usize) -> f64 {
+        let [dt] = self.0[3].at(index);
+        0.5 * dt
     }
 }
+
+/// A step to write over.
+const BLANK: PlanarStep<f64> = PlanarStep {
+    twist: Twist::ZERO,
+    friction: Wrench::ZERO,
+    is_at_rest: false,
+};
 
 /// Bodies that are stepped together.
-const CHUNK: usize = 256;
+struct Stepper<'a> {
+    surfaces: SurfaceBatch<'a>,
+    bodies: Vec<(PlanarBody<f64>, TimeStep<f64>)>,
+    twists: Vec<Twist<f64>>,
+    pushes: Vec<Wrench<f64>>,
+    /// Sine and cosine of the angles by which patches are turned.
+    turns: Vec<Option<[f64; 2]>>,
+    steps: Vec<PlanarStep<f64>>,
+}
 
-/// One step of bodies that are alike, on a set that their turning does not change; their motions and pushes come by
-/// index, from `first` on.
-fn step_alike(
-    stepper: &Stepper,
-    set: &dyn FrictionSet<f64>,
-    first: usize,
-    [twists, pushes]: [View<'_, 3>; 2],
-    results: &mut [StepResult],
-) {
-    let blank = PlanarStep {
-        twist: Twist::ZERO,
-        friction: Wrench::ZERO,
-        is_at_rest: false,
-    };
-    let mut given = ([Twist::ZERO; CHUNK], [Wrench::ZERO; CHUNK]);
-    let mut steps = [blank; CHUNK];
-    for (from, results) in (first..).step_by(CHUNK).zip(results.chunks_mut(CHUNK)) {
-        let slots = given.0.iter_mut().zip(&mut given.1);
-        for (index, (twist, push)) in (from..from + results.len()).zip(slots) {
-            *twist = twist_of(twists.at(index));
-            *push = wrench_of(pushes.at(index));
+/// A body before a step: the angle by which its patch is turned, in rad, if that matters, its motion and its push.
+type Before = (Option<f64>, [f64; 3], [f64; 3]);
+
+impl<'a> Stepper<'a> {
+    /// For the bodies `of`, which have these force limits.
+    fn new(
+        surfaces: &'a Sets,
+        limits: &'a [f64],
+        bodies: &Bodies<'_>,
+        of: Range<usize>,
+    ) -> PyResult<Self> {
+        Ok(Self {
+            surfaces: surfaces.0.under_each(limits).map_err(refused)?,
+            twists: Vec::with_capacity(of.len()),
+            pushes: Vec::with_capacity(of.len()),
+            turns: Vec::with_capacity(of.len()),
+            steps: vec![BLANK; of.len()],
+            bodies: bodies.with_steps(of)?,
+        })
+    }
+
+    /// One step of all bodies.
+    fn step(&mut self, all: impl Iterator<Item = Before>) -> &[PlanarStep<f64>] {
+        self.twists.clear();
+        self.pushes.clear();
+        self.turns.clear();
+        for (angle, twist, push) in all {
+            let angle = angle.filter(|angle| *angle != 0.0);
+            let turn = angle.map(|angle| [Real::sin(angle), Real::cos(angle)]);
+            // Along the axes of the patch.
+            self.twists.push(twist_of(turned(twist, turn)));
+            self.pushes.push(wrench_of(turned(push, turn)));
+            self.turns.push(turn.map(|[sin, cos]| [-sin, cos]));
         }
-        let (twists, pushes) = (&given.0[..results.len()], &given.1);
-        stepper
-            .body
-            .step_batch(set, twists, pushes, stepper.dt, &mut steps);
-        for (result, step) in results.iter_mut().zip(&steps) {
-            *result = StepResult::of(step);
+        self.surfaces
+            .step_batch(&self.bodies, &self.twists, &self.pushes, &mut self.steps);
+        for (step, turn) in self.steps.iter_mut().zip(&self.turns) {
+            if turn.is_some() {
+                step.friction = wrench_of(turned(numbers(&step.friction), *turn));
+            }
+            if turn.is_some() && !step.is_at_rest {
+                step.twist = twist_of(turned(twist_numbers(&step.twist), *turn));
+            }
         }
+        &self.steps
     }
 }
+
+/// Numbers of a twist or a wrench along axes that are turned by an angle with this sine and cosine.
+fn turned([x, y, turning]: [f64; 3], turn: Option<[f64; 2]>) -> [f64; 3] {
+    match turn {
+        Some([sin, cos]) => [cos * x + sin * y, cos * y - sin * x, turning],
+        None => [x, y, turning],
+    }
+}
+
+/// Bodies that are stepped together, if there are as many for each thread.
+const TOGETHER: usize = 64;
 
 /// Nanoseconds that a step takes, about.
 fn cost(patch: &Patch) -> usize {
@@ -225,29 +204,16 @@ pub fn planar_step<'py>(
     let (start, pushes, angle) = (twists.view()?, pushes.view()?, angle.view()?);
     let turns = !patch.0.is_round();
 
-    let step = |set: &dyn FrictionSet<f64>, index: usize| {
-        let stepper = bodies.stepper(index)?;
-        let angle = turns.then(|| angle.at(index)[0]);
-        Ok(stepper.step(set, angle, start.at(index), pushes.at(index)))
-    };
-    let mut steps = vec![StepResult::default(); batch.iter().product()];
-    fill(py, &mut steps, cost(patch), |from, piece| {
-        if let Some(limit) = bodies.limit_of_all() {
-            return surface.sets.with(limit, |set| {
-                if bodies.are_alike() && !turns {
-                    let given = [start, pushes];
-                    step_alike(&bodies.stepper(from)?, set, from, given, piece);
-                    return Ok(());
-                }
-                let all = (from..).zip(piece.iter_mut());
-                store_all(all, |index| step(set, index))
-            })?;
-        }
-        for (index, row) in (from..).zip(piece) {
-            *row = surface
-                .sets
-                .with(bodies.limit(index), |set| step(set, index))??;
-        }
+    let mut steps = vec![BLANK; batch.iter().product()];
+    fill_together(py, &mut steps, cost(patch), TOGETHER, |from, piece| {
+        let all = from..from + piece.len();
+        let limits = bodies.limits(all.clone());
+        let mut stepper = Stepper::new(&surface.sets, limits.as_flattened(), &bodies, all.clone())?;
+        let before = |index| {
+            let angle = turns.then(|| angle.at(index)[0]);
+            (angle, start.at(index), pushes.at(index))
+        };
+        piece.copy_from_slice(stepper.step(all.map(before)));
         Ok(())
     })?;
 
@@ -258,21 +224,12 @@ pub fn planar_step<'py>(
     let mut memory = rests.readwrite();
     let flags = memory.as_slice_mut().map_err(refused)?;
     for (((twist, friction), rest), step) in rows.zip(flags).zip(&steps) {
-        (*twist, *friction, *rest) = (step.twist, step.friction, step.is_at_rest);
+        *twist = twist_numbers(&step.twist);
+        *friction = numbers(&step.friction);
+        *rest = step.is_at_rest;
     }
     drop(memory);
     Ok([twists.finish()?, friction.finish()?, rests.into_any()])
-}
-
-/// Stores what `of` gives for each row.
-fn store_all<'a>(
-    all: impl Iterator<Item = (usize, &'a mut StepResult)>,
-    of: impl Fn(usize) -> PyResult<StepResult>,
-) -> PyResult<()> {
-    for (index, row) in all {
-        *row = of(index)?;
-    }
-    Ok(())
 }
 
 /// Rows of shape (…, steps, 3), whose leading axes end before the steps.
@@ -339,14 +296,26 @@ pub fn planar_rollout<'py>(
     };
     let mut courses: Vec<BodyTrajectory<'_>> = rows.map(course).collect();
     let whole = cost(patch).saturating_mul(each);
-    fill(py, &mut courses, whole, |from, piece| {
-        for (index, course) in (from..).zip(piece) {
-            let stepper = bodies.stepper(index)?;
-            let begin = [start.at(index), origin.at(index)];
-            let push = |step: usize| pushes.at(index * count + step);
-            surface.sets.with(bodies.limit(index), |set| {
-                course.follow(set, &stepper, turns, begin, push);
-            })?;
+    fill_together(py, &mut courses, whole, TOGETHER, |from, piece| {
+        let all = from..from + piece.len();
+        let limits = bodies.limits(all.clone());
+        let limits = limits.as_flattened();
+        let mut stepper = Stepper::new(&surface.sets, limits, &bodies, all.clone())?;
+        let state = |index| [start.at(index), origin.at(index)];
+        let mut states: Vec<_> = all.clone().map(state).collect();
+        for step in 0..count {
+            let before = |(index, [twist, pose]): (usize, &[[f64; 3]; 2])| {
+                // A patch that turns is taken at its angle at half time.
+                let angle = turns.then(|| pose[2] + bodies.half_step(index) * twist[2]);
+                (angle, *twist, pushes.at(index * count + step))
+            };
+            let done = stepper.step(all.clone().zip(&states).map(before));
+            let bodies_after = all.clone().zip(&mut states).zip(done);
+            for (((index, state), done), course) in bodies_after.zip(piece.iter_mut()) {
+                *state = moved(*state, twist_numbers(&done.twist), bodies.half_step(index));
+                [course.twists[step], course.poses[step]] = *state;
+                course.rests[step] = done.is_at_rest;
+            }
         }
         Ok(())
     })?;
@@ -355,27 +324,10 @@ pub fn planar_rollout<'py>(
     Ok([twists.finish()?, poses.finish()?, rests.into_any()])
 }
 
-impl BodyTrajectory<'_> {
-    /// Steps from a twist and a pose. Position and angle are integrated by the trapezoidal rule, which is
-    /// exact under the mean friction of a step; a patch that `turns` is taken at its angle at half time.
-    fn follow(
-        &mut self,
-        set: &dyn FrictionSet<f64>,
-        stepper: &Stepper,
-        turns: bool,
-        [mut twist, mut pose]: [[f64; 3]; 2],
-        push: impl Fn(usize) -> [f64; 3],
-    ) {
-        let half = 0.5 * stepper.dt.dt();
-        let rows = self.twists.iter_mut().zip(&mut *self.poses);
-        for (step, ((after, place), rest)) in rows.zip(&mut *self.rests).enumerate() {
-            let angle = turns.then(|| pose[2] + half * twist[2]);
-            let done = stepper.step(set, angle, twist, push(step));
-            for axis in 0..3 {
-                pose[axis] += half * (twist[axis] + done.twist[axis]);
-            }
-            twist = done.twist;
-            (*after, *place, *rest) = (twist, pose, done.is_at_rest);
-        }
+/// The motion and the pose after a step: the trapezoidal rule, which is exact under the mean friction of a step.
+fn moved([twist, mut pose]: [[f64; 3]; 2], after: [f64; 3], half_step: f64) -> [[f64; 3]; 2] {
+    for axis in 0..3 {
+        pose[axis] += half_step * (twist[axis] + after[axis]);
     }
+    [after, pose]
 }

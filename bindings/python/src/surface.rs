@@ -1,11 +1,13 @@
 //! Limit surfaces.
 
-use crate::arrays::{Numbers, Output, Rows, View, broadcast, refused};
+use crate::arrays::{Numbers, Output, Rows, broadcast, refused};
 use crate::model::{Sets, numbers, twist_numbers, twist_of, wrench_of};
 use crate::patch::Patch;
 use crate::threads::fill;
 use pyo3::prelude::*;
-use tribos_core::limit_surface::FrictionSet;
+use tribos::friction::{FrictionError, SurfaceBatch};
+use tribos_core::limit_surface::{FrictionSet, Projection, Region};
+use tribos_core::twist::{Twist, Wrench};
 
 /// All wrenches that dry friction of a patch carries.
 #[pyclass(frozen, module = "tribos._native")]
@@ -18,13 +20,13 @@ pub struct LimitSurface {
 const COST: usize = 500;
 
 impl LimitSurface {
-    /// What `of` makes of the surface of a force limit and of each row that is called `name`.
-    fn each<'py, const N: usize, const M: usize>(
+    /// What `of` makes of force limits and the rows that are called `name`, piece by piece.
+    fn pieces<'py, const N: usize, const M: usize>(
         &self,
         [limits, rows]: [&Bound<'py, PyAny>; 2],
         name: &'static str,
         out: Option<&Bound<'py, PyAny>>,
-        of: impl Fn(&dyn FrictionSet<f64>, [f64; N]) -> [f64; M] + Sync,
+        of: impl Fn(&[f64], &[[f64; N]], &mut [[f64; M]]) -> Result<(), FrictionError> + Sync,
     ) -> PyResult<Bound<'py, PyAny>> {
         let (py, rows) = (rows.py(), Rows::<N>::new(name, rows)?);
         let limits = Numbers::new("force limit", limits)?;
@@ -35,20 +37,50 @@ impl LimitSurface {
         let shape: &[usize] = if M == 1 { &[] } else { &[M] };
         let mut output = Output::new(py, &batch, shape, out)?;
         fill(py, output.rows::<M>()?, COST, |from, piece| {
-            if let View::One([limit]) = limits {
-                return self.sets.with(limit, |set| {
-                    for (index, row) in (from..).zip(piece.iter_mut()) {
-                        *row = of(set, rows.at(index));
-                    }
-                });
-            }
-            for (index, row) in (from..).zip(piece.iter_mut()) {
-                let [limit] = limits.at(index);
-                *row = self.sets.with(limit, |set| of(set, rows.at(index)))?;
-            }
-            Ok(())
+            let of_piece = from..from + piece.len();
+            let limits = limits.rows(of_piece.clone());
+            of(limits.as_flattened(), &rows.rows(of_piece), piece).map_err(refused)
         })?;
         output.finish()
+    }
+
+    /// What `of` makes of the surface of a force limit and of each row.
+    fn each<'py, const N: usize, const M: usize>(
+        &self,
+        given: [&Bound<'py, PyAny>; 2],
+        name: &'static str,
+        out: Option<&Bound<'py, PyAny>>,
+        of: impl Fn(&dyn FrictionSet<f64>, [f64; N]) -> [f64; M] + Sync,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.pieces(given, name, out, |limits, rows, piece| {
+            let mut all = rows.iter().zip(piece);
+            for (count, set) in self.sets.0.runs(limits)? {
+                for (row, to) in all.by_ref().take(count) {
+                    *to = of(&*set, *row);
+                }
+            }
+            Ok(())
+        })
+    }
+
+    /// What the batch `of` writes over `blank` elements for force limits and wrenches, as rows.
+    fn batch<'py, T: Clone + Sync, const M: usize>(
+        &self,
+        given: [&Bound<'py, PyAny>; 2],
+        out: Option<&Bound<'py, PyAny>>,
+        blank: T,
+        of: impl Fn(&SurfaceBatch<'_>, &[Wrench<f64>], &mut [T]) + Sync,
+        row: impl Fn(&T) -> [f64; M] + Sync,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.pieces(given, "wrenches", out, |limits, rows, piece| {
+            let wrenches: Vec<_> = rows.iter().map(|row| wrench_of(*row)).collect();
+            let mut found = vec![blank.clone(); piece.len()];
+            of(&self.sets.0.under_each(limits)?, &wrenches, &mut found);
+            for (to, found) in piece.iter_mut().zip(&found) {
+                *to = row(found);
+            }
+            Ok(())
+        })
     }
 }
 
@@ -106,9 +138,10 @@ impl LimitSurface {
         wrenches: &Bound<'py, PyAny>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        self.each([force_limit, wrenches], "wrenches", out, |set, row| {
-            [set.gauge(&wrench_of(row))]
-        })
+        let of = |surfaces: &SurfaceBatch<'_>, wrenches: &[_], gauges: &mut [_]| {
+            surfaces.gauge_batch(wrenches, gauges);
+        };
+        self.batch([force_limit, wrenches], out, 0.0, of, |gauge| [*gauge])
     }
 
     /// Support function at twists: the dissipated power, in W.
@@ -145,9 +178,10 @@ impl LimitSurface {
         wrenches: &Bound<'py, PyAny>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        self.each([force_limit, wrenches], "wrenches", out, |set, row| {
-            twist_numbers(&set.twist_normal_to(&wrench_of(row)))
-        })
+        let of = |surfaces: &SurfaceBatch<'_>, pushes: &[_], twists: &mut [_]| {
+            surfaces.twist_normal_to_batch(pushes, twists);
+        };
+        self.batch([force_limit, wrenches], out, Twist::ZERO, of, twist_numbers)
     }
 
     /// The wrenches on the same rays on the surface.
@@ -177,9 +211,15 @@ impl LimitSurface {
                 "length must be > 0 and finite, not {length}"
             )));
         }
-        self.each([force_limit, wrenches], "wrenches", out, |set, row| {
-            let length = length.unwrap_or(set.radius());
-            numbers(&set.project_with_length(&wrench_of(row), length).wrench)
+        let blank = Projection {
+            wrench: Wrench::ZERO,
+            region: Region::Inside,
+        };
+        let of = |surfaces: &SurfaceBatch<'_>, wrenches: &[_], found: &mut [_]| {
+            surfaces.project_batch(length, wrenches, found);
+        };
+        self.batch([force_limit, wrenches], out, blank, of, |found| {
+            numbers(&found.wrench)
         })
     }
 }

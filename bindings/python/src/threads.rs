@@ -56,6 +56,18 @@ pub fn fill<T: Send>(
     cost: usize,
     work: impl Fn(usize, &mut [T]) -> PyResult<()> + Sync,
 ) -> PyResult<()> {
+    fill_together(py, out, cost, 1, work)
+}
+
+/// The same for elements of which `together` are quicker than one by one, in pieces of so many if there are enough
+/// for all threads.
+pub fn fill_together<T: Send>(
+    py: Python<'_>,
+    out: &mut [T],
+    cost: usize,
+    together: usize,
+    work: impl Fn(usize, &mut [T]) -> PyResult<()> + Sync,
+) -> PyResult<()> {
     let whole = out.len().saturating_mul(cost);
     if whole < WORTH_A_LOCK {
         return work(0, out);
@@ -63,8 +75,11 @@ pub fn fill<T: Send>(
     if whole < 2 * WORTH_A_THREAD {
         return py.detach(|| work(0, out));
     }
-    let grain = (WORTH_A_THREAD / cost.max(1)).max(1);
     let pool = pool()?;
+    let share = out.len().div_ceil(pool.current_num_threads());
+    let grain = (WORTH_A_THREAD / cost.max(1))
+        .max(together.min(share))
+        .max(1);
     py.detach(|| {
         pool.install(|| {
             let pieces = out.par_chunks_mut(grain).enumerate();

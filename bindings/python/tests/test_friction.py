@@ -110,10 +110,18 @@ def test_the_normal_is_the_motion_under_a_push() -> None:
     assert np.allclose(surface.wrench(motion), -balance, rtol=1e-10, atol=1e-11)
 
 
-def test_a_load_each_is_the_same_as_one_by_one() -> None:
-    friction = tribos.Friction(tribos.hertz(0.01), mu=0.5)
-    loads = np.array([0.5, 1.0, 7.0])
-    pushes = np.array([[0.1, 0.2, 0.001], [1.0, 0.0, 0.0], [0.0, 0.0, 0.01]])
-    together = friction.limit_surface(loads).project(pushes)
-    for load, push, carried in zip(loads, pushes, together, strict=True):
-        assert np.array_equal(friction.limit_surface(load).project(push), carried)
+@pytest.mark.parametrize("patch", [*ROUND, POLYGONS[0], POINTS[0]], ids=repr)
+def test_wrenches_together_are_wrenches_alone_under_one_load_and_under_many(patch) -> None:
+    rng = np.random.default_rng(7)
+    pushes = rng.normal(size=(150, 3)) * [5.0, 5.0, 0.2] * rng.choice([0.1, 1.0, 9.0], size=(150, 1))
+    pushes[3], pushes[4, 0] = 0.0, np.nan
+    loads = np.resize([0.0, 0.5, 7.0, 7.0, 300.0], 150)
+    exact = tribos.Friction(patch, mu=0.5).limit_surface
+    for of in (exact, lambda load: exact(load).ellipsoid()):
+        for load in (7.0, loads):
+            surface = of(load)
+            for ask in ("gauge", "normal", "project"):
+                together = getattr(surface, ask)(pushes)
+                for k, one in enumerate(np.broadcast_to(load, 150)):
+                    alone = getattr(of(float(one)), ask)(pushes[k])
+                    assert np.array_equal(together[k], alone, equal_nan=True)

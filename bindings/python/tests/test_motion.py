@@ -436,6 +436,25 @@ def test_bodies_together_are_bodies_alone_whatever_the_threads(shape: str) -> No
         assert step.at_rest is bool(whole[0].at_rest[k])
 
 
+@pytest.mark.parametrize("shape", ["disk", "hertz", "box"])
+def test_bodies_alike_are_bodies_alone_under_one_load_and_under_many(shape: str) -> None:
+    _, twists, pushes = crates("disk", 150)
+    patch = tribos.hertz(0.1) if shape == "hertz" else SHAPES[shape]
+    body = tribos.PlanarBody(tribos.Friction(patch, mu=0.4), 2.0, 0.02)
+    angle = np.linspace(-3.0, 3.0, len(twists))
+    loads = np.resize([0.0, 2.0, 20.0, 20.0, 500.0], len(twists))
+    many = np.repeat(pushes[:, None], 5, axis=1)
+    for load in (20.0, loads):
+        step = body.step(twists, pushes, 0.01, angle=angle, load=load)
+        course = body.rollout(twists, many, 0.01, load=load)
+        assert step.at_rest.any() and not step.at_rest.all()
+        for k, one in enumerate(np.broadcast_to(load, len(twists))):
+            alone = body.step(twists[k], pushes[k], 0.01, angle=angle[k], load=float(one))
+            path = body.rollout(twists[k], many[k], 0.01, load=float(one))
+            for got, wanted in (*zip(step, alone, strict=True), *zip(course, path, strict=True)):
+                assert np.array_equal(got[k], wanted)
+
+
 def test_arguments_broadcast() -> None:
     body = tribos.PlanarBody(PUCK, mass=np.array([[1.0], [2.0]]), inertia=0.01)
     dt = np.array([0.01, 0.02, 0.03])

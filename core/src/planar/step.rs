@@ -120,7 +120,7 @@ impl<R: Real> PlanarBody<R> {
 
     /// The step and the share of it after which friction opposes the motion, given bounds of force and
     /// torque of friction, and the wrench of friction nearest to the one needed for rest.
-    fn step_within(
+    pub(super) fn step_within(
         &self,
         twist: &Twist<R>,
         push: &Wrench<R>,
@@ -307,6 +307,31 @@ mod tests {
                 let [got, wanted] = [step, single].map(|step| std::format!("{step:?}"));
                 assert_eq!(got, wanted, "{n} of {count}");
             }
+            assert!(steps[count..].iter().all(|step| *step == singly[0]));
+        }
+    }
+
+    #[test]
+    fn a_batch_under_loads_has_the_bits_of_steps_on_surfaces_of_their_own() {
+        let body = PlanarBody::new(0.17, 0.5 * 0.17 * 0.04 * 0.04).unwrap();
+        let (dt, of) = (TimeStep::new(DT).unwrap(), |limit| {
+            RoundLimitSurface::new(CoulombDisk, limit, 0.04).unwrap()
+        });
+        let (twists, pushes): (std::vec::Vec<_>, std::vec::Vec<_>) = cases().unzip();
+        // None, little and much of what is usual.
+        let loads = (0..twists.len()).map(|i| [0.0, 0.1, 1.0, 1.7, 30.0][i % 5]);
+        let loads: std::vec::Vec<_> = loads.collect();
+        let given = twists.iter().zip(&pushes).zip(&loads);
+        let singly: std::vec::Vec<_> = given
+            .map(|((twist, push), load)| body.step(&of(LIMIT * load), twist, push, dt))
+            .collect();
+        let rests = singly.iter().filter(|step| step.is_at_rest).count();
+        assert!(rests > 100 && rests < singly.len() - 100);
+        for count in [0, 1, 31, 40, loads.len()] {
+            let mut steps = std::vec![singly[0]; loads.len()];
+            let (loads, surface) = (&loads[..count], of(LIMIT));
+            body.step_batch_under_loads(&surface, loads, &twists, &pushes, dt, &mut steps);
+            assert_eq!(steps[..count], singly[..count]);
             assert!(steps[count..].iter().all(|step| *step == singly[0]));
         }
     }

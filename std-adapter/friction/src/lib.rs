@@ -17,7 +17,7 @@
 //! |---|---|
 //! | [`Patch`] | a contact patch by name: `disk`, `annulus:0.8`, `hertz`, … |
 //! | [`Law`] | a law of the local speed by name, with its parameters: `stribeck:mu_s=0.4,mu_d=0.2,vs=0.05` |
-//! | [`Tier`] | how force and torque are evaluated: `table`, `compact`, `quadrature` |
+//! | [`Tier`] | how force and torque are evaluated: `exact` or `quadrature` |
 //! | [`AnyFriction`] | the three together: the kernel's coupling |
 //! | [`Area`] | any patch with its size, by name or by its corners, triangles or points |
 //! | [`AreaFriction`] | an area under a law: wrench and Jacobian at any planar twist |
@@ -29,8 +29,7 @@
 //!
 //! | tier | serves |
 //! |---|---|
-//! | table | −1 < α ≤ 10 on every round patch; polynomial pressures in 64 bit only |
-//! | compact | −1 < α ≤ 128 on every round patch but polynomial pressures |
+//! | exact | −1 < α ≤ 128 on every round patch; on polynomial pressures α ≤ 10, in 64 bit only |
 //! | quadrature | every local law; 1e-8 on disk and annulus, elsewhere nodes, 1e-3 of the load |
 //!
 //! A loop over many evaluations is quicker with the kernel's own type, which pays for no dispatch.
@@ -51,6 +50,7 @@ mod refusal;
 #[cfg(feature = "scenes")]
 mod setting;
 mod surface;
+mod surface_batch;
 mod text;
 mod tier;
 mod visit;
@@ -87,6 +87,8 @@ pub use surface::LimitSurfaces;
 pub use surface::points_of;
 #[doc(hidden)]
 pub use surface::{BoxedDryFriction, OwnedNodes};
+#[doc(hidden)]
+pub use surface_batch::SurfaceBatch;
 pub use tier::Tier;
 #[doc(hidden)]
 pub use tier::{Evaluation, LARGEST_EXPONENT, valid_exponent};

@@ -1,7 +1,8 @@
 //! Limit surfaces of patches by name.
 
+use super::surface_batch::Runs;
 use super::text::files;
-use super::{Area, Flat, FrictionError, Patch, Precision};
+use super::{Area, Flat, FrictionError, Patch, Precision, SurfaceBatch};
 use std::fmt;
 use std::path::Path;
 use tribos_core::coupling::{
@@ -73,16 +74,55 @@ impl LimitSurfaces {
         force_limit: f64,
         work: impl FnOnce(&dyn FrictionSet<f64>) -> T,
     ) -> Result<T, FrictionError> {
+        Ok(work(&*self.boxed(force_limit)?))
+    }
+
+    fn boxed(&self, force_limit: f64) -> Result<Box<dyn FrictionSet<f64> + '_>, FrictionError> {
         Ok(match &self.0 {
             Kind::Round { dry, radius } => {
-                work(&RoundLimitSurface::new(&**dry, force_limit, *radius)?)
+                Box::new(RoundLimitSurface::new(&**dry, force_limit, *radius)?)
             }
-            Kind::Flat(flat) => work(&ShapeLimitSurface::new(flat, force_limit)?),
+            Kind::Flat(flat) => Box::new(ShapeLimitSurface::new(flat, force_limit)?),
             Kind::Ellipsoid {
                 radius,
                 spin_torque,
-            } => work(&LimitEllipsoid::new(force_limit, *radius, *spin_torque)?),
+            } => Box::new(LimitEllipsoid::new(force_limit, *radius, *spin_torque)?),
         })
+    }
+
+    /// The surfaces under many force limits, for batches.
+    ///
+    /// ```
+    /// use tribos::friction::{Area, Patch};
+    /// use tribos::prelude::*;
+    /// let puck = Area::round(Patch::Disk, 0.04)?.limit_surfaces()?; // m
+    /// let mut gauges = [0.0; 2];
+    /// puck.under_each(&[0.5, 0.2])?.gauge_batch(&[Wrench::new(0.3, 0.0, 0.0); 2], &mut gauges); // N
+    /// assert!(gauges[0] < 1.0 && gauges[1] > 1.0);
+    /// # Ok::<(), tribos::friction::FrictionError>(())
+    /// ```
+    #[doc(hidden)]
+    pub fn under_each<'a>(
+        &'a self,
+        force_limits: &'a [f64],
+    ) -> Result<SurfaceBatch<'a>, FrictionError> {
+        let (Kind::Round { dry, radius }, [_, _, ..]) = (&self.0, force_limits) else {
+            return Ok(SurfaceBatch::of_runs(self.runs(force_limits)?));
+        };
+        let is_wrong = |limit: &&f64| !(**limit >= 0.0 && limit.is_finite());
+        if let Some(wrong) = force_limits.iter().find(is_wrong) {
+            RoundLimitSurface::new(&**dry, *wrong, *radius)?;
+        }
+        let unit = RoundLimitSurface::new(&**dry, 1.0, *radius)?;
+        Ok(SurfaceBatch::of_round(unit, force_limits))
+    }
+
+    /// A surface for each run of equal force limits, and the number of these.
+    #[doc(hidden)]
+    pub fn runs(&self, force_limits: &[f64]) -> Result<Runs<'_>, FrictionError> {
+        let runs = force_limits.chunk_by(|a, b| a.to_bits() == b.to_bits());
+        runs.map(|run| Ok((run.len(), self.boxed(run[0])?)))
+            .collect()
     }
 
     /// The ellipsoids with the same largest force, and the same largest torque about the origin.

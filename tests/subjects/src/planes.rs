@@ -181,15 +181,22 @@ pub fn steps<R: Real>(input: &mut Input<'_>) -> Verdict {
         stepped(input, |body, twist, push, dt| {
             // The last of a batch, side by side with others alike; alone it has the same bits.
             let mut steps = [body.step(&set, twist, push, dt); TOGETHER];
-            body.step_batch(
-                &set,
-                &[*twist; TOGETHER],
-                &[*push; TOGETHER],
-                dt,
-                &mut steps,
-            );
+            let (twists, pushes) = ([*twist; TOGETHER], [*push; TOGETHER]);
+            body.step_batch(&set, &twists, &pushes, dt, &mut steps);
             let [.., last] = steps;
-            last
+            // Under a load of 1 the surface is the same.
+            let loads = [R::ONE; TOGETHER];
+            body.step_batch_under_loads(&set, &loads, &twists, &pushes, dt, &mut steps);
+            let [.., loaded] = steps;
+            let all =
+                |step: &PlanarStep<R>| rates(&step.twist).into_iter().chain(parts(&step.friction));
+            let pairs = || all(&last).zip(all(&loaded));
+            if pairs().all(|(a, b)| a == b || a.is_nan() && b.is_nan()) {
+                last
+            } else {
+                // Not finite: a fault.
+                body.step(&set, &Twist::new(R::NAN, R::NAN, R::NAN), push, dt)
+            }
         })
     } else {
         let set = LimitEllipsoid::new(force, radius, input.positive());

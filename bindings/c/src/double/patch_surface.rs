@@ -1,6 +1,6 @@
 //! Limit surfaces of the other patches: round ones under other pressures, and points.
 //!
-//! Each call builds the surface again, which takes about as long as a few wrenches of the patch.
+//! Each call builds the surface again, which takes about as long as a few wrenches of the patch. A batch builds it once.
 
 use super::nodes::tribos_node_f64;
 use super::patch::tribos_round_f64;
@@ -16,7 +16,7 @@ use tribos_core::patch::points::PointPatch;
 
 /// The surface of a round patch under a load.
 #[inline(always)]
-unsafe fn round<C: DryReducedFriction<f64> + Copy>(
+pub(super) unsafe fn round<C: DryReducedFriction<f64> + Copy>(
     coupling: C,
     patch: *const tribos_round_f64,
     load: f64,

@@ -8,6 +8,7 @@ use super::vectors::{tribos_twist_f64, tribos_wrench_f64};
 use crate::memory::{answer, read};
 use crate::status::tribos_status;
 use tribos_core::contact::TimeStep;
+use tribos_core::law::LawError;
 use tribos_core::planar::{PlanarBody, PlanarStep};
 
 /// A body on a patch that is centred below its centre of mass.
@@ -32,9 +33,16 @@ pub struct tribos_planar_step_f64 {
     pub is_at_rest: u32,
 }
 
-impl From<PlanarStep<f64>> for tribos_planar_step_f64 {
+impl tribos_planar_body_f64 {
     #[inline(always)]
-    fn from(step: PlanarStep<f64>) -> Self {
+    pub(super) fn body(self) -> Result<PlanarBody<f64>, LawError> {
+        PlanarBody::new(self.mass, self.inertia)
+    }
+}
+
+impl From<&PlanarStep<f64>> for tribos_planar_step_f64 {
+    #[inline(always)]
+    fn from(step: &PlanarStep<f64>) -> Self {
         Self {
             twist: step.twist.into(),
             friction: step.friction.into(),
@@ -52,10 +60,9 @@ unsafe fn step_on<S: Set>(
     push: *const tribos_wrench_f64,
     dt: f64,
 ) -> Result<tribos_planar_step_f64, tribos_status> {
-    let (body, set) = (read(body)?, read(set)?.set()?);
-    let body = PlanarBody::new(body.mass, body.inertia)?;
+    let (body, set) = (read(body)?.body()?, read(set)?.set()?);
     let (twist, push) = (read(twist)?.into(), read(push)?.into());
-    Ok(body.step(&set, &twist, &push, TimeStep::new(dt)?).into())
+    Ok((&body.step(&set, &twist, &push, TimeStep::new(dt)?)).into())
 }
 
 /// The motion of a body after the time dt under a constant push and the friction of a disk.

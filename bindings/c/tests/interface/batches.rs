@@ -1,4 +1,4 @@
-//! Batches of round patches have the bits of single calls, and write no more than they are asked for.
+//! Batches have the bits of single calls, and write no more than they are asked for.
 
 use std::fmt::Debug;
 use tribos_c::status::tribos_status;
@@ -36,39 +36,41 @@ fn components(n: usize) -> [f64; 3] {
     })
 }
 
-/// Panics unless each number of twists gives the results of `one`, and leaves the memory behind them. Texts
+/// Panics unless each number of elements gives the results of `one`, and leaves the memory behind them. Texts
 /// have all digits, and tell zeros of either sign apart.
-fn compare<T, O: Copy + Debug>(
-    twists: &[T; MOST],
+fn compare<O: Copy + Debug>(
     kept: O,
-    one: impl Fn(*const T, *mut O) -> tribos_status,
-    batch: impl Fn(*const T, usize, *mut O) -> tribos_status,
+    one: impl Fn(usize, *mut O) -> tribos_status,
+    batch: impl Fn(usize, *mut O) -> tribos_status,
 ) {
-    let singly = twists.each_ref().map(|twist| {
+    let singly: [O; MOST] = core::array::from_fn(|n| {
         let mut result = kept;
-        assert_eq!(one(twist, &mut result), tribos_status::Ok);
+        assert_eq!(one(n, &mut result), tribos_status::Ok);
         result
     });
     for count in 0..=MOST {
         let (mut wanted, mut got) = ([kept; MOST], [kept; MOST]);
         wanted[..count].copy_from_slice(&singly[..count]);
+        assert_eq!(batch(count, got.as_mut_ptr()), tribos_status::Ok);
         assert_eq!(
-            batch(twists.as_ptr(), count, got.as_mut_ptr()),
-            tribos_status::Ok
+            format!("{got:?}"),
+            format!("{wanted:?}"),
+            "{count} elements"
         );
-        assert_eq!(format!("{got:?}"), format!("{wanted:?}"), "{count} twists");
     }
 }
 
 #[test]
 fn batches_in_double_precision_have_the_bits_of_single_calls() {
-    use double::{patch::*, patch_batch::*, vectors::*};
+    use double::{
+        batch::*, patch::*, patch_batch::*, patch_surface::*, planar::*, surface::*, vectors::*,
+    };
     let round = tribos_round_f64 {
         coefficient: COEFFICIENT.into(),
         radius: RADIUS.into(),
     };
     let load = f64::from(LOAD);
-    let twists = core::array::from_fn(|n| {
+    let twists: [_; MOST] = core::array::from_fn(|n| {
         let [x, y, spin] = components(n);
         tribos_twist_f64 { x, y, spin }
     });
@@ -86,31 +88,92 @@ fn batches_in_double_precision_have_the_bits_of_single_calls() {
         let built = tribos_power_table_build_f64(ALPHA.into(), &mut table);
         assert_eq!(built, tribos_status::Ok);
         compare(
-            &twists,
             wrench,
-            |twist, to| tribos_disk_wrench_f64(&round, load, twist, to),
-            |from, count, to| tribos_disk_wrench_batch_f64(&round, load, from, count, to),
+            |n, to| tribos_disk_wrench_f64(&round, load, &twists[n], to),
+            |count, to| tribos_disk_wrench_batch_f64(&round, load, twists.as_ptr(), count, to),
         );
         compare(
-            &twists,
             jacobian,
-            |twist, to| tribos_disk_jacobian_f64(&round, load, twist, to),
-            |from, count, to| tribos_disk_jacobian_batch_f64(&round, load, from, count, to),
+            |n, to| tribos_disk_jacobian_f64(&round, load, &twists[n], to),
+            |count, to| tribos_disk_jacobian_batch_f64(&round, load, twists.as_ptr(), count, to),
         );
         compare(
-            &twists,
             wrench,
-            |twist, to| tribos_power_table_wrench_f64(&table, &round, load, twist, to),
-            |from, count, to| {
-                tribos_power_table_wrench_batch_f64(&table, &round, load, from, count, to)
+            |n, to| tribos_power_table_wrench_f64(&table, &round, load, &twists[n], to),
+            |count, to| {
+                tribos_power_table_wrench_batch_f64(
+                    &table,
+                    &round,
+                    load,
+                    twists.as_ptr(),
+                    count,
+                    to,
+                )
             },
         );
         compare(
-            &twists,
             jacobian,
-            |twist, to| tribos_power_table_jacobian_f64(&table, &round, load, twist, to),
-            |from, count, to| {
-                tribos_power_table_jacobian_batch_f64(&table, &round, load, from, count, to)
+            |n, to| tribos_power_table_jacobian_f64(&table, &round, load, &twists[n], to),
+            |count, to| {
+                tribos_power_table_jacobian_batch_f64(
+                    &table,
+                    &round,
+                    load,
+                    twists.as_ptr(),
+                    count,
+                    to,
+                )
+            },
+        );
+        // Wrenches and bodies, each with its load.
+        let pushes: [_; MOST] = core::array::from_fn(|n| {
+            let [x, y, torque] = components(MOST - n);
+            tribos_wrench_f64 { x, y, torque }
+        });
+        let loads: [_; MOST] = core::array::from_fn(|n| [0.0, 1.0, 1.7, 5.0, 30.0][n % 5]);
+        let surface = |load| tribos_disk_surface_f64 {
+            force_limit: round.coefficient * load,
+            radius: round.radius,
+        };
+        let unit = surface(1.0);
+        let (nearest, twist) = (
+            tribos_projection_f64 {
+                wrench,
+                normal: twists[0],
+                slides: 7,
+            },
+            twists[0],
+        );
+        let (given, pushed) = (loads.as_ptr(), pushes.as_ptr());
+        compare(
+            nearest,
+            |n, to| tribos_disk_surface_project_f64(&surface(loads[n]), &pushes[n], 0.0, to),
+            |count, to| tribos_disk_surface_project_batch_f64(&unit, given, pushed, count, 0.0, to),
+        );
+        compare(
+            nearest,
+            |n, to| tribos_hertz_project_f64(&round, loads[n], &pushes[n], 0.5, to),
+            |count, to| tribos_hertz_project_batch_f64(&round, given, pushed, count, 0.5, to),
+        );
+        let body = tribos_planar_body_f64 {
+            mass: 0.5,
+            inertia: 0.25,
+        };
+        compare(
+            tribos_planar_step_f64 {
+                twist,
+                friction: wrench,
+                is_at_rest: 7,
+            },
+            |n, to| {
+                let disk = surface(loads[n]);
+                tribos_planar_disk_step_f64(&body, &disk, &twists[n], &pushes[n], 0.125, to)
+            },
+            |count, to| {
+                let moved = twists.as_ptr();
+                tribos_planar_disk_step_batch_f64(
+                    &body, &unit, given, moved, pushed, count, 0.125, to,
+                )
             },
         );
     }
@@ -118,13 +181,15 @@ fn batches_in_double_precision_have_the_bits_of_single_calls() {
 
 #[test]
 fn batches_in_single_precision_have_the_bits_of_single_calls() {
-    use single::{patch::*, patch_batch::*, vectors::*};
+    use single::{
+        batch::*, patch::*, patch_batch::*, patch_surface::*, planar::*, surface::*, vectors::*,
+    };
     let round = tribos_round_f32 {
         coefficient: COEFFICIENT,
         radius: RADIUS,
     };
     let load = LOAD;
-    let twists = core::array::from_fn(|n| {
+    let twists: [_; MOST] = core::array::from_fn(|n| {
         let [x, y, spin] = components(n).map(|component| component as f32);
         tribos_twist_f32 { x, y, spin }
     });
@@ -142,31 +207,92 @@ fn batches_in_single_precision_have_the_bits_of_single_calls() {
         let built = tribos_power_table_build_f32(ALPHA, &mut table);
         assert_eq!(built, tribos_status::Ok);
         compare(
-            &twists,
             wrench,
-            |twist, to| tribos_disk_wrench_f32(&round, load, twist, to),
-            |from, count, to| tribos_disk_wrench_batch_f32(&round, load, from, count, to),
+            |n, to| tribos_disk_wrench_f32(&round, load, &twists[n], to),
+            |count, to| tribos_disk_wrench_batch_f32(&round, load, twists.as_ptr(), count, to),
         );
         compare(
-            &twists,
             jacobian,
-            |twist, to| tribos_disk_jacobian_f32(&round, load, twist, to),
-            |from, count, to| tribos_disk_jacobian_batch_f32(&round, load, from, count, to),
+            |n, to| tribos_disk_jacobian_f32(&round, load, &twists[n], to),
+            |count, to| tribos_disk_jacobian_batch_f32(&round, load, twists.as_ptr(), count, to),
         );
         compare(
-            &twists,
             wrench,
-            |twist, to| tribos_power_table_wrench_f32(&table, &round, load, twist, to),
-            |from, count, to| {
-                tribos_power_table_wrench_batch_f32(&table, &round, load, from, count, to)
+            |n, to| tribos_power_table_wrench_f32(&table, &round, load, &twists[n], to),
+            |count, to| {
+                tribos_power_table_wrench_batch_f32(
+                    &table,
+                    &round,
+                    load,
+                    twists.as_ptr(),
+                    count,
+                    to,
+                )
             },
         );
         compare(
-            &twists,
             jacobian,
-            |twist, to| tribos_power_table_jacobian_f32(&table, &round, load, twist, to),
-            |from, count, to| {
-                tribos_power_table_jacobian_batch_f32(&table, &round, load, from, count, to)
+            |n, to| tribos_power_table_jacobian_f32(&table, &round, load, &twists[n], to),
+            |count, to| {
+                tribos_power_table_jacobian_batch_f32(
+                    &table,
+                    &round,
+                    load,
+                    twists.as_ptr(),
+                    count,
+                    to,
+                )
+            },
+        );
+        // Wrenches and bodies, each with its load.
+        let pushes: [_; MOST] = core::array::from_fn(|n| {
+            let [x, y, torque] = components(MOST - n).map(|component| component as f32);
+            tribos_wrench_f32 { x, y, torque }
+        });
+        let loads: [_; MOST] = core::array::from_fn(|n| [0.0, 1.0, 1.7, 5.0, 30.0][n % 5]);
+        let surface = |load| tribos_disk_surface_f32 {
+            force_limit: round.coefficient * load,
+            radius: round.radius,
+        };
+        let unit = surface(1.0);
+        let (nearest, twist) = (
+            tribos_projection_f32 {
+                wrench,
+                normal: twists[0],
+                slides: 7,
+            },
+            twists[0],
+        );
+        let (given, pushed) = (loads.as_ptr(), pushes.as_ptr());
+        compare(
+            nearest,
+            |n, to| tribos_disk_surface_project_f32(&surface(loads[n]), &pushes[n], 0.0, to),
+            |count, to| tribos_disk_surface_project_batch_f32(&unit, given, pushed, count, 0.0, to),
+        );
+        compare(
+            nearest,
+            |n, to| tribos_hertz_project_f32(&round, loads[n], &pushes[n], 0.5, to),
+            |count, to| tribos_hertz_project_batch_f32(&round, given, pushed, count, 0.5, to),
+        );
+        let body = tribos_planar_body_f32 {
+            mass: 0.5,
+            inertia: 0.25,
+        };
+        compare(
+            tribos_planar_step_f32 {
+                twist,
+                friction: wrench,
+                is_at_rest: 7,
+            },
+            |n, to| {
+                let disk = surface(loads[n]);
+                tribos_planar_disk_step_f32(&body, &disk, &twists[n], &pushes[n], 0.125, to)
+            },
+            |count, to| {
+                let moved = twists.as_ptr();
+                tribos_planar_disk_step_batch_f32(
+                    &body, &unit, given, moved, pushed, count, 0.125, to,
+                )
             },
         );
     }

@@ -48,11 +48,11 @@ fn generated() -> String {
         "patch_batch",
         "nodes",
         "surface",
-        "batch",
         "polygon",
         "patch_surface",
         "slider",
         "planar",
+        "batch",
         "contact",
         "update",
     ] {

@@ -2,7 +2,7 @@
 
 use super::points::four_nodes;
 use super::stream::{Precision, Range, Stream};
-use super::surfaces::feed_projection;
+use super::surfaces::{BATCH, feed_projection, feed_projections};
 use tribos_core::coupling::coulomb::{CoulombDisk, CoulombHertz, CoulombPunch, CoulombRing};
 use tribos_core::coupling::{Annulus, DryReducedFriction, RoundFriction};
 use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, ShapeLimitSurface};
@@ -26,6 +26,20 @@ impl<R: Precision> Case<R> {
             RoundLimitSurface::new(coupling, self.coefficient * self.load, self.radius).ok()
         });
         self.feed_set(s, set.as_ref());
+    }
+
+    /// Many pushes, each with its load.
+    fn feed_many<C: DryReducedFriction<R> + Copy>(
+        &self,
+        s: &mut Stream,
+        coupling: Option<C>,
+        (loads, pushes): (&[R; BATCH], &[Wrench<R>; BATCH]),
+    ) {
+        let set = coupling.and_then(|coupling| {
+            RoundFriction::new(coupling, self.coefficient, self.radius).ok()?;
+            RoundLimitSurface::new(coupling, self.coefficient, self.radius).ok()
+        });
+        feed_projections(s, set.ok_or(()), loads, pushes, self.length);
     }
 
     fn feed_set(&self, s: &mut Stream, set: Option<&impl FrictionSet<R>>) {
@@ -57,6 +71,13 @@ pub fn all<R: Precision>(s: &mut Stream, range: Range) {
     case.feed(s, Some(CoulombHertz));
     case.feed(s, Some(CoulombRing));
     case.feed(s, Some(CoulombPunch));
+    let loads = s.draws(range);
+    let pushes = [(); BATCH].map(|()| s.wrench(range));
+    let many = (&loads, &pushes);
+    case.feed_many(s, Annulus::new(CoulombDisk, inner / R::TWO).ok(), many);
+    case.feed_many(s, Some(CoulombHertz), many);
+    case.feed_many(s, Some(CoulombRing), many);
+    case.feed_many(s, Some(CoulombPunch), many);
     let points = four_nodes(&x).and_then(PointPatch::new).ok();
     let points = points.and_then(|points| ShapeLimitSurface::new(points, coefficient).ok());
     case.feed_set(s, points.as_ref());

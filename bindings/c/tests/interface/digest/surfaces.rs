@@ -2,6 +2,7 @@
 
 use super::stream::{Precision, Range, Stream};
 use tribos_core::contact::TimeStep;
+use tribos_core::coupling::DryReducedFriction;
 use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::limit_surface::{
     FrictionSet, LimitEllipsoid, Projection, Region, RoundLimitSurface,
@@ -28,7 +29,7 @@ pub fn both<R: Precision>(s: &mut Stream, range: Range) {
 }
 
 /// More than are converted at once.
-const BATCH: usize = 21;
+pub const BATCH: usize = 21;
 
 fn batches<R: Precision>(
     s: &mut Stream,
@@ -40,10 +41,6 @@ fn batches<R: Precision>(
     let pushes = [(); BATCH].map(|()| s.wrench(range));
     let mut gauges = [R::ZERO; BATCH];
     let mut motions = [Twist::ZERO; BATCH];
-    let mut nearest = pushes.map(|wrench| Projection {
-        wrench,
-        region: Region::Inside,
-    });
     let set = set.ok_or(());
     if let Some(set) = s.ok(set) {
         set.gauge_batch(&loads, &pushes, &mut gauges);
@@ -55,19 +52,34 @@ fn batches<R: Precision>(
             s.numbers([motion.velocity.x, motion.velocity.y, motion.spin]);
         }
     }
-    if let Some(set) = s.ok(set) {
-        let length = if length == R::ZERO {
-            set.radius()
-        } else {
-            length
-        };
-        set.project_batch(length, &loads, &pushes, &mut nearest);
-        for projection in nearest {
-            feed_projection(s, Some(projection));
-        }
+    feed_projections(s, set, &loads, &pushes, length);
+}
+
+/// Projections of a batch; a length of 0 represents the radius.
+pub fn feed_projections<R: Precision, C: DryReducedFriction<R>>(
+    s: &mut Stream,
+    set: Result<RoundLimitSurface<R, C>, ()>,
+    loads: &[R; BATCH],
+    pushes: &[Wrench<R>; BATCH],
+    length: R,
+) {
+    let Some(set) = s.ok(set) else { return };
+    let length = if length == R::ZERO {
+        set.radius()
+    } else {
+        length
+    };
+    let mut nearest = pushes.map(|wrench| Projection {
+        wrench,
+        region: Region::Inside,
+    });
+    set.project_batch(length, loads, pushes, &mut nearest);
+    for projection in nearest {
+        feed_projection(s, Some(projection));
     }
 }
 
+#[derive(Clone, Copy)]
 enum Sets<R> {
     Disk(RoundLimitSurface<R, CoulombDisk>),
     Ellipsoid(LimitEllipsoid<R>),
@@ -85,14 +97,34 @@ fn steps<R: Precision>(s: &mut Stream, sets: [Option<Sets<R>>; 2], range: Range)
                 Sets::Ellipsoid(set) => body.step(&set, &twist, &push, dt),
             })
         })();
-        if let Some(step) = s.ok(step.ok_or(())) {
-            s.feed_bits(step.is_at_rest.into());
-            let PlanarStep {
-                twist, friction, ..
-            } = step;
-            s.numbers([twist.velocity.x, twist.velocity.y, twist.spin]);
-            s.numbers([friction.force.x, friction.force.y, friction.torque]);
-        }
+        feed_step(s, step);
+    }
+    let many = [(); BATCH].map(|()| (s.draw(range), s.twist(range), s.wrench(range)));
+    let disk = sets[0];
+    let Some((body, disk, dt)) =
+        s.ok((|| Some((body?, disk?, TimeStep::new(dt).ok()?)))().ok_or(()))
+    else {
+        return;
+    };
+    let Sets::Disk(disk) = disk else { return };
+    for (load, twist, push) in many {
+        // One by one: the batch has their bits.
+        let blank = body.step(&disk, &Twist::ZERO, &Wrench::ZERO, dt);
+        let mut step = [blank];
+        body.step_batch_under_loads(&disk, &[load], &[twist], &[push], dt, &mut step);
+        let [step] = step;
+        feed_step(s, Some(step));
+    }
+}
+
+fn feed_step<R: Precision>(s: &mut Stream, step: Option<PlanarStep<R>>) {
+    if let Some(step) = s.ok(step.ok_or(())) {
+        s.feed_bits(step.is_at_rest.into());
+        let PlanarStep {
+            twist, friction, ..
+        } = step;
+        s.numbers([twist.velocity.x, twist.velocity.y, twist.spin]);
+        s.numbers([friction.force.x, friction.force.y, friction.torque]);
     }
 }
 
