@@ -264,19 +264,8 @@ pub trait DryReducedFriction<R: Real>: ReducedFriction<R> {
         ratios: R::SideBySide,
     ) -> [R::SideBySide; 3] {
         let leads = R::SideBySide::select(slides, Lanes::splat(1.0), Lanes::splat(0.0)).to_array();
-        let ratios = ratios.to_array();
-        let mut points = [ratios; 3];
-        let [majors, minors, rates] = points.each_mut().map(AsMut::as_mut);
-        let inputs = leads.as_ref().iter().zip(ratios.as_ref());
-        let outputs = majors.iter_mut().zip(minors).zip(rates);
-        for ((slides, ratio), ((major, minor), rate)) in inputs.zip(outputs) {
-            let lead = if *slides > R::ZERO {
-                DominantSpeed::Sliding
-            } else {
-                DominantSpeed::Spinning
-            };
-            [*major, *minor, *rate] = self.reduced_point(lead, *ratio);
-        }
+        let mut points = [ratios.to_array(); 3];
+        points_one_by_one(self, leads.as_ref(), points.each_mut().map(AsMut::as_mut));
         points.map(R::SideBySide::new)
     }
 
@@ -311,6 +300,27 @@ pub trait DryReducedFriction<R: Real>: ReducedFriction<R> {
     #[inline]
     fn is_smooth(&self) -> bool {
         false
+    }
+}
+
+/// Points in place of their ratios, which stand for the larger components; sliding leads where `leads` is positive.
+///
+/// Never inlined: from numbers that one call after the other leaves in the same place, LLVM 22 makes a vector on AArch64
+/// after all of the calls (llvm/llvm-project#152979, which looks for calls within one block only).
+#[inline(never)]
+fn points_one_by_one<R: Real, C: DryReducedFriction<R> + ?Sized>(
+    coupling: &C,
+    leads: &[R],
+    [majors, minors, rates]: [&mut [R]; 3],
+) {
+    let points = majors.iter_mut().zip(minors).zip(rates);
+    for (slides, ((major, minor), rate)) in leads.iter().zip(points) {
+        let lead = if *slides > R::ZERO {
+            DominantSpeed::Sliding
+        } else {
+            DominantSpeed::Spinning
+        };
+        [*major, *minor, *rate] = coupling.reduced_point(lead, *major);
     }
 }
 
