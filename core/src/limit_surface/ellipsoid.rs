@@ -117,22 +117,14 @@ impl<R: Real> FrictionSet<R> for LimitEllipsoid<R> {
     fn wrench(&self, twist: &Twist<R>) -> Wrench<R> {
         self.surface.wrench(twist)
     }
-    /// A closed form here: √((|force|/f_max)² + (torque/m_max)²).
+    /// By the search that projects, so that both agree on what is inside.
     #[inline]
     fn gauge(&self, wrench: &Wrench<R>) -> R {
-        let Wrench { force, torque } = wrench;
-        let lever = self.radius() * self.surface.coupling().spin_torque;
-        // A lever below the range of numbers bears no torque, and none needs none.
-        let reduced = if *torque == R::ZERO {
-            *torque
-        } else {
-            *torque / lever
-        };
-        let length = force.x.hypot(force.y).hypot(reduced);
-        if length == R::ZERO {
-            return length;
-        }
-        length / self.force_limit()
+        self.surface.gauge(wrench)
+    }
+    #[inline]
+    fn contains(&self, wrench: &Wrench<R>) -> bool {
+        self.surface.contains(wrench)
     }
     #[inline]
     fn twist_normal_to(&self, push: &Wrench<R>) -> Twist<R> {
