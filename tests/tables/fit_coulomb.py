@@ -4,6 +4,7 @@ With x the square of the smaller over the larger speed, z = 1 - x and q the orde
 larger speed 1, its torque over the rim's speed T/w and the slope d(F/v)/dx are
 
     P(u) + z^(q+2) ln z Q(u) for F/v and T/w, P(u) + z^(q+1) ln z Q(u) for the slope, u = z - 1/2      for whole q
+                                          u = z for the ring's F/v and slope, as ln z grows without bound
     P(u^2) + u Q(u^2) for all, u = sqrt(z) - 1/2                                                       for half q
 
 Both parts are fitted together, so that their sum counts and not each
@@ -47,24 +48,24 @@ def sliding(q):
     )
 
 
-def basis(q, power, terms, t):
+def basis(q, power, terms, centre, t):
     """z and the values of all terms at t in (0, 1)."""
     if q == int(q):
         z = t ** (3 * HALF)
         singular = z**power * mp.log(z)
-        powers = [(z - HALF) ** k for k in range(terms)]
+        powers = [(z - centre) ** k for k in range(terms)]
         return z, powers + [singular * entry for entry in powers]
     u = t - HALF
     return t * t, [u ** (2 * k) for k in range(terms)] + [u ** (2 * k + 1) for k in range(terms)]
 
 
-def fitted(f, q, power, terms):
+def fitted(f, q, power, terms, centre):
     """Largest relative error and the terms of both parts."""
     unknowns = 2 * terms
     points = 3 * unknowns
     rows = []
     for i in range(points):
-        z, row = basis(q, power, terms, (1 - mp.cos(mp.pi * (i + HALF) / points)) / 2)
+        z, row = basis(q, power, terms, centre, (1 - mp.cos(mp.pi * (i + HALF) / points)) / 2)
         value = f(1 - z)
         rows.append([entry / value for entry in row])
     weights = [mp.mpf(1)] * points
@@ -93,9 +94,9 @@ def interpolated(f, terms):
     return 0, regular + [0] * (terms - 3), singular + [0] * (terms - 2)
 
 
-def two(functions, q, powers, terms, elementary):
+def two(functions, q, powers, terms, centre, elementary):
     """The largest errors of two functions, and rows of their regular and their singular parts."""
-    fits = [interpolated(f, terms) if elementary else fitted(f, q, power, terms) for f, power in zip(functions, powers)]
+    fits = [interpolated(f, terms) if elementary else fitted(f, q, power, terms, centre) for f, power in zip(functions, powers)]
     errors, regular, singular = zip(*fits)
     return errors, list(zip(*regular, *singular))
 
@@ -135,13 +136,13 @@ def main(out):
             elementary = q in (-HALF, HALF) and side == "SPINNING"
             for size, (precision, whole, half, many) in sizes.items():
                 tables = (
-                    ("TORQUE", whole if q == int(q) else half, (force, torque), (q + 2, q + 2)),
-                    ("SLOPE", many, (force, slope), (q + 2, q + 1)),
+                    ("TORQUE", whole if q == int(q) else half, (force, torque), (q + 2, q + 2), HALF),
+                    ("SLOPE", many, (force, slope), (q + 2, q + 1), 0 if q == -1 else HALF),
                 )
-                for second, terms, pair, powers_of_z in tables:
+                for second, terms, pair, powers_of_z, centre in tables:
                     if terms == 0:
                         continue
-                    errors, rows = two(pair, q, powers_of_z, terms, elementary)
+                    errors, rows = two(pair, q, powers_of_z, terms, centre, elementary)
                     label = "_".join(part for part in (name, side, second, size) if part)
                     shown = ", ".join(mp.nstr(error, 2) for error in errors)
                     out.write(f"\n/// Largest relative errors of force and {second.lower()}: {shown}.\n")

@@ -149,9 +149,11 @@ pub(super) fn rough_force_and_slope<F: Fitted, L: Numbers<Real: Real>>(z: L) -> 
 #[inline(always)]
 fn joined<F: Fitted, L: Numbers<Real: Real>>(z: L, sums: impl Fn(L) -> [L; 4]) -> [L; 2] {
     let [argument, hook, slope_hook] = argument_and_hooks::<F, L>(z);
-    let [p, r, q, s] = sums(argument);
+    // The slope of a ring grows without bound: what multiplies ln z ends exactly.
+    let is_endless = !F::HAS_ROOTS && F::SLOPE_POWER == 0;
+    let [p, r, q, s] = sums(if is_endless { z } else { argument });
     let (phi, slope) = (p + hook * q, r + slope_hook * s);
-    if F::HAS_ROOTS || F::SLOPE_POWER > 0 {
+    if !is_endless {
         return [phi, slope];
     }
     let none = L::splat(0.0);
