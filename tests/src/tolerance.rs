@@ -219,11 +219,11 @@ bounds! {
     /// Derivatives of compact powers of pressures, of the larger of themselves and F/v.
     ROUND_COMPACT_JACOBIAN = 2e-13, "ring at alpha = 0.001 and equal speeds: 1/alpha against a logarithm that almost cancels";
     /// Fitted forms, relative.
-    FORM = 2.5e-15, "as promised in coupling::coulomb, of which 12 ulp are 1.3e-15 to 2.7e-15; the paraboloid's slope is a fifth of the sum of its terms";
+    FORM = 2e-15, "9 ulp, as coupling::coulomb promises of a ring's force: the rounding of z next to equal speeds";
     /// Their derivatives, of the larger of themselves and F/v.
     FORM_JACOBIAN = 3e-15, "as FORM";
     /// f32 fitted forms, ulp of f32.
-    SINGLE_FORM_ULPS = 8.0, "promised of the ring in coupling::coulomb: torque from force and slope; 7 of the others";
+    SINGLE_FORM_ULPS = 5.0, "promised in coupling::coulomb";
     /// f32 tables of pressures −1 ≤ q ≤ 2, −0.75 ≤ α ≤ 3, ulp of f32.
     SINGLE_ROUND_ULPS = 10.0, "as SINGLE_ULPS; the profile of q = 2 falls to a quarter over the cells";
     /// The same at α = 5.
