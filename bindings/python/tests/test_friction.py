@@ -113,7 +113,9 @@ def test_the_normal_is_the_motion_under_a_push() -> None:
 @pytest.mark.parametrize("patch", [*ROUND, POLYGONS[0], POINTS[0]], ids=repr)
 def test_wrenches_together_are_wrenches_alone_under_one_load_and_under_many(patch) -> None:
     rng = np.random.default_rng(7)
-    pushes = rng.normal(size=(150, 3)) * [5.0, 5.0, 0.2] * rng.choice([0.1, 1.0, 9.0], size=(150, 1))
+    pushes = (
+        rng.normal(size=(150, 3)) * [5.0, 5.0, 0.2] * rng.choice([0.1, 1.0, 9.0], size=(150, 1))
+    )
     pushes[3], pushes[4, 0] = 0.0, np.nan
     loads = np.resize([0.0, 0.5, 7.0, 7.0, 300.0], 150)
     exact = tribos.Friction(patch, mu=0.5).limit_surface
