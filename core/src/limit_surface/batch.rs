@@ -26,7 +26,7 @@ impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
     /// A contact's load changes from step to step, and its surface with it in size alone: prepare it with the
     /// friction coefficient as force limit. Elements beyond the shortest slice are not changed.
     ///
-    /// *Domain*: 0 ≤ load < ∞. *Special values*: NaN for a negative load and every wrench but zero.
+    /// *Domain*: 0 ≤ load < ∞. *Special values*: NaN for a load that is negative or NaN and every wrench but zero.
     /// *Accuracy*: bit for bit [`super::FrictionSet::gauge`] of the surface with that force limit.
     ///
     /// ```

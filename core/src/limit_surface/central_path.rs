@@ -10,7 +10,7 @@
 //! z is a plane above the speeds, written by its heights above three corners around the centre, so that corners
 //! which carry little lose no digits. A barrier −Σ ln(z² − |u|²) makes this a smooth problem of five unknowns,
 //! however many corners there are (Nesterov and Nemirovskii, Interior-point polynomial algorithms, SIAM 1994).
-//! Newton's method follows its minimum while the objective's weight τ grows. MassRatios 2z/(τ D) and forces 2u/(τ D),
+//! Newton's method follows its minimum while the objective's weight τ grows. Shares 2z/(τ D) and forces 2u/(τ D),
 //! D the barrier's argument, tend to those that carry the wrench. Neither bound relies on the method: the
 //! upper one is the support at the motion, the lower one the wrench of these forces, after the shares
 //! are put right.
@@ -41,7 +41,7 @@ const MOST_STEPS: usize = 60;
 const CENTRED: f64 = 0.01;
 /// Newton decrement below which full steps converge.
 const QUADRATIC: f64 = 0.25;
-/// RunLimits this near, of 1, are as near as they get.
+/// Bounds this near, of 1, are as near as they get.
 const NEAR_ULPS: f64 = 256.0;
 
 /// Wrenches `from` + s `along` about the centre, in units of force limit and radius, with the first axis

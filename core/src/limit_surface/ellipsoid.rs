@@ -1,10 +1,11 @@
 //! The ellipsoidal approximation of the limit surface, common in planners.
 
 use super::round::RoundLimitSurface;
-use super::{FrictionSet, Projection};
+use super::{FrictionSet, Projection, Region};
 use crate::coupling::{DryReducedFriction, ReducedFriction, ReducedJacobian, ReducedWrench};
 use crate::error::Error;
 use crate::law::validated_positive;
+use crate::patch::validated_radius;
 use crate::real::Real;
 use crate::twist::{Twist, Wrench};
 
@@ -12,7 +13,7 @@ use crate::twist::{Twist, Wrench};
 ///
 /// *Error* for the uniform disk (T₀ = 2/3): the exact surface lies inside, down to gauge 0.934 at
 /// v/(ωR) = 0.766. See `docs/limit-surface.md` for forces and motions.
-/// *Accuracy* as an ellipsoid: a few ulp.
+/// *Accuracy* as an ellipsoid: a few ulp. A torque over the arm R T₀ that overflows has an infinite gauge.
 /// *Source*: R. D. Howe and M. R. Cutkosky, Int. J. Robotics Research 15 (1996) 531.
 ///
 /// ```
@@ -25,62 +26,64 @@ use crate::twist::{Twist, Wrench};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LimitEllipsoid<R> {
-    surface: RoundLimitSurface<R, Ellipse<R>>,
+    /// A ball, whose radius is R T₀.
+    ball: RoundLimitSurface<R, Circle>,
+    radius: R,
 }
 
-/// The coupling whose meridian is an ellipse: F = v/s, T = T₀² w/s, s² = v² + T₀² w².
+/// The coupling whose meridian is a circle: F = v/s, T = w/s, s² = v² + w².
 ///
 /// Finite speeds only: it stays in this file.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Ellipse<R> {
-    spin_torque: R,
-}
+struct Circle;
 
-impl<R: Real> Ellipse<R> {
-    /// v/s and T₀w/s, the cosine and sine of the ellipse's parameter, and s.
-    #[inline]
-    fn parameter(&self, slide: R, rim: R) -> [R; 3] {
-        let (across, along) = (slide.abs(), self.spin_torque * rim.abs());
-        let norm = across.hypot(along);
-        if norm == R::ZERO {
-            return [R::ZERO; 3];
-        }
-        [across / norm, along / norm, norm]
+/// v/s, w/s and s.
+#[inline]
+fn direction<R: Real>(slide: R, rim: R) -> [R; 3] {
+    let (slide, rim) = (slide.abs(), rim.abs());
+    let norm = slide.hypot(rim);
+    if norm == R::ZERO {
+        return [R::ZERO; 3];
     }
+    [slide / norm, rim / norm, norm]
 }
 
-impl<R: Real> ReducedFriction<R> for Ellipse<R> {
+impl<R: Real> ReducedFriction<R> for Circle {
     #[inline]
     fn reduced_wrench(&self, slide: R, rim: R) -> ReducedWrench<R> {
-        let [cos, sin, _] = self.parameter(slide, rim);
-        ReducedWrench {
-            force: cos,
-            torque: self.spin_torque * sin,
-        }
+        let [force, torque, _] = direction(slide, rim);
+        ReducedWrench { force, torque }
     }
 
     #[inline]
     fn reduced_jacobian(&self, slide: R, rim: R) -> ReducedJacobian<R> {
-        let [cos, sin, norm] = self.parameter(slide, rim);
-        let (rate, torque) = (R::ONE / norm, self.spin_torque);
+        let [cos, sin, norm] = direction(slide, rim);
+        let rate = R::ONE / norm;
         ReducedJacobian {
             force_per_slide: rate,
             force_slide: rate * sin * sin,
-            mixed: -rate * torque * cos * sin,
-            torque_rim: rate * torque * torque * cos * cos,
+            mixed: -rate * cos * sin,
+            torque_rim: rate * cos * cos,
         }
     }
 }
 
-impl<R: Real> DryReducedFriction<R> for Ellipse<R> {}
+impl<R: Real> DryReducedFriction<R> for Circle {
+    #[inline]
+    fn is_smooth(&self) -> bool {
+        true
+    }
+}
 
 impl<R: Real> LimitEllipsoid<R> {
     /// *Domain*: 0 ≤ `force_limit` < ∞ (μN), 0 < `radius` < ∞, 0 < `spin_torque` < ∞: the reduced
-    /// torque T₀ = T(0, 1) of pure spinning, 2/3 for the uniform disk.
+    /// torque T₀ = T(0, 1) of pure spinning, 2/3 for the uniform disk; 0 < R T₀ < ∞ as computed.
     pub fn new(force_limit: R, radius: R, spin_torque: R) -> Result<Self, Error> {
+        let radius = validated_radius(radius)?;
         let spin_torque = validated_positive("reduced torque of pure spinning", spin_torque)?;
-        let surface = RoundLimitSurface::new(Ellipse { spin_torque }, force_limit, radius)?;
-        Ok(Self { surface })
+        let arm = validated_positive("arm of pure spinning", radius * spin_torque)?;
+        let ball = RoundLimitSurface::new(Circle, force_limit, arm)?;
+        Ok(Self { ball, radius })
     }
 
     /// The largest torque, μN R T₀.
@@ -96,49 +99,78 @@ impl<R: Real> LimitEllipsoid<R> {
     /// # Ok::<(), tribos_core::Error>(())
     /// ```
     pub fn torque_limit(&self) -> R {
-        self.surface.torque_limit()
+        self.ball.torque_limit()
+    }
+
+    /// A normal of length 1 with the ball's radius as one with this radius.
+    #[inline]
+    fn unit(&self, normal: Twist<R>) -> Twist<R> {
+        let length = normal.speed().hypot(normal.spin * self.radius);
+        if length == R::ZERO {
+            return normal;
+        }
+        Twist {
+            velocity: normal.velocity / length,
+            spin: normal.spin / length,
+        }
+    }
+
+    #[inline]
+    fn with_unit_normal(&self, projection: Projection<R>) -> Projection<R> {
+        let region = match projection.region {
+            Region::Inside => Region::Inside,
+            Region::OnSurface { normal } => Region::OnSurface {
+                normal: self.unit(normal),
+            },
+        };
+        Projection {
+            region,
+            ..projection
+        }
     }
 }
 
 impl<R: Real> FrictionSet<R> for LimitEllipsoid<R> {
     #[inline]
     fn force_limit(&self) -> R {
-        self.surface.force_limit()
+        self.ball.force_limit()
     }
     #[inline]
     fn radius(&self) -> R {
-        self.surface.radius()
+        self.radius
     }
     #[inline]
     fn support(&self, twist: &Twist<R>) -> R {
-        self.surface.support(twist)
+        self.ball.support(twist)
     }
     #[inline]
     fn wrench(&self, twist: &Twist<R>) -> Wrench<R> {
-        self.surface.wrench(twist)
+        self.ball.wrench(twist)
     }
-    /// By the search that projects, so that both agree on what is inside.
     #[inline]
     fn gauge(&self, wrench: &Wrench<R>) -> R {
-        self.surface.gauge(wrench)
+        self.ball.gauge(wrench)
     }
     #[inline]
     fn contains(&self, wrench: &Wrench<R>) -> bool {
-        self.surface.contains(wrench)
+        self.ball.contains(wrench)
     }
     #[inline]
     fn twist_normal_to(&self, push: &Wrench<R>) -> Twist<R> {
-        self.surface.twist_normal_to(push)
+        self.unit(self.ball.twist_normal_to(push))
     }
     #[inline]
     fn scale_to_surface(&self, wrench: &Wrench<R>) -> Wrench<R> {
-        self.surface.scale_to_surface(wrench)
+        self.ball.scale_to_surface(wrench)
     }
     #[inline]
     fn project_with_length(&self, wrench: &Wrench<R>, length: R) -> Projection<R> {
-        self.surface.project_with_length(wrench, length)
+        self.with_unit_normal(self.ball.project_with_length(wrench, length))
     }
     fn project_each(&self, wrenches: &[Wrench<R>], length: R, projections: &mut [Projection<R>]) {
-        self.surface.project_each(wrenches, length, projections);
+        self.ball.project_each(wrenches, length, projections);
+        for projection in projections {
+            *projection = self.with_unit_normal(*projection);
+        }
     }
 }

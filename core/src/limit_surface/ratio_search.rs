@@ -75,10 +75,10 @@ fn is_last<R: Real, L: Numbers<Real = R>>(
     )
 }
 
-/// What is known to rounding of a ratio.
+/// What is known to rounding of a ratio, of one beyond the normal numbers too.
 #[inline(always)]
 fn settled<R: Real, L: Numbers<Real = R>>(ratio: L) -> L {
-    L::repeat(R::from_f64(SETTLED_ULPS) * R::EPSILON) * ratio
+    L::repeat(R::from_f64(SETTLED_ULPS) * R::EPSILON) * ratio + L::repeat(R::MIN_POSITIVE)
 }
 
 /// Bracket and next ratio of a search.
@@ -196,9 +196,18 @@ fn bracketed<R: Real, L: Numbers<Real = R>>(
         is_open = L::both(is_open, L::not(is_done));
         left -= 1;
     }
-    // No step is taken after the last count, and none of length zero where there is no rate.
-    let moves = L::both(L::splat(0.0).below(by.abs()), L::not(is_open));
+    // None of length zero where there is no rate.
     let none = L::splat(0.0);
+    let moves = none.below(by.abs());
     at.rate = L::select(moves, at.rate, none);
-    SearchEnd::after(L::select(moves, by, none), ratio, &at)
+    let end = SearchEnd::after(L::select(moves, by, none), ratio, &at);
+    // Steps that were too few have found nothing.
+    let found = |number| L::select(is_open, L::repeat(R::NAN), number);
+    SearchEnd {
+        ratio: found(end.ratio),
+        minor: found(end.minor),
+        major: found(end.major),
+        before: found(end.before),
+        power: found(end.power),
+    }
 }

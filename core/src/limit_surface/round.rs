@@ -25,7 +25,7 @@ use crate::twist::{Twist, Wrench};
 /// 1e-15 relative; f32: 3e-7 of the limits, 4e-7 for lengths below 0.3 R.
 /// *Cost* in points of the coupling with their rates: gauge, normal and projection 2 or 3 (more for lengths far from the
 /// radius), a projection deep inside none, within 128 roundings of the surface those of a gauge more. A search ends after
-/// at most 66 points. A surface is prepared with 15, that of a uniform disk with 3.
+/// at most 66 points, without a number where that is not enough. A surface is prepared with 15, that of a uniform disk with 3.
 ///
 /// ```
 /// use tribos_core::coupling::coulomb::CoulombDisk;
@@ -66,10 +66,18 @@ impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
 
     /// The largest torque, μN R T(0, 1).
     pub fn torque_limit(&self) -> R {
-        self.force_limit * self.radius * self.meridian.spin_torque
+        let [_, torque] = self.limits_under(R::ONE);
+        torque
     }
 
-    /// The ellipsoid with the same largest force and torque.
+    /// The largest force and torque under a load times the force limit; no numbers for a negative load.
+    pub(crate) fn limits_under(&self, load: R) -> [R; 2] {
+        let load = if load >= R::ZERO { load } else { R::NAN };
+        let force = self.force_limit * load;
+        [force, force * self.radius * self.meridian.spin_torque]
+    }
+
+    /// The ellipsoid with the same largest force and torque, if its arm R T(0, 1) is a number above 0.
     pub fn ellipsoid(&self) -> Result<LimitEllipsoid<R>, Error> {
         LimitEllipsoid::new(self.force_limit, self.radius, self.meridian.spin_torque)
     }

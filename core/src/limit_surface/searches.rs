@@ -119,7 +119,8 @@ impl<R: Real, C: DryReducedFriction<R>> ScaledCurve<'_, R, C, R::Alone> {
         }
         // Infinity over infinity is a direction lost, not a gauge.
         if is_infinite([force, torque]) {
-            return R::INFINITY;
+            // None under a limit that is not a number.
+            return R::INFINITY + self.limit();
         }
         let (size, unit) = in_range(lengths);
         let gauge = if size == R::ONE {

@@ -59,8 +59,6 @@ impl<R: Real, S: FrictionSet<R> + ?Sized> FrictionSets<R> for OneSet<'_, R, S> {
 /// One surface times a load for each body.
 struct LoadedSurface<'a, R, C> {
     surface: &'a RoundLimitSurface<R, C>,
-    /// Under a load of 1.
-    limits: [R; 2],
     loads: &'a [R],
 }
 
@@ -74,8 +72,7 @@ impl<R: Real, C: DryReducedFriction<R>> LoadedSurface<'_, R, C> {
 impl<R: Real, C: DryReducedFriction<R>> FrictionSets<R> for LoadedSurface<'_, R, C> {
     #[inline]
     fn limits(&self, body: usize) -> [R; 2] {
-        // Rounded otherwise than those of a surface of its own: they only tell what is surely out of reach.
-        self.limits.map(|limit| limit * self.load(body))
+        self.surface.limits_under(self.load(body))
     }
     #[inline]
     fn project(
@@ -218,15 +215,10 @@ impl<R: Real> PlanarBody<R> {
         dt: TimeStep<R>,
         steps: &mut [PlanarStep<R>],
     ) {
-        let limits = self.limits(surface);
         let given = twists.chunks(CHUNK).zip(pushes.chunks(CHUNK));
         let given = loads.chunks(CHUNK).zip(given);
         for ((loads, given), steps) in given.zip(steps.chunks_mut(CHUNK)) {
-            let sets = LoadedSurface {
-                surface,
-                limits,
-                loads,
-            };
+            let sets = LoadedSurface { surface, loads };
             let count = loads.len().min(steps.len());
             let steps = steps.get_mut(..count).unwrap_or_default();
             self.step_chunk(&sets, given, dt, steps);

@@ -56,7 +56,7 @@ impl<R: Real> PlanarBody<R> {
 
     /// The same, and the share of `dt` after which friction opposes the motion; `None` at rest.
     ///
-    /// Friction is the wrench of `set` nearest to [`PlanarBody::needed_for_rest`] in that time, so that
+    /// Friction is the wrench of `set` nearest to [`PlanarBody::stopping_wrench`] in that time, so that
     /// the step's derivatives follow from the projection's.
     #[doc(hidden)]
     pub fn step_and_instant<S: FrictionSet<R> + ?Sized>(

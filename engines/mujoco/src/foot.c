@@ -43,8 +43,8 @@ static void link_freedoms(foot *foot, const view *v)
 bool foot_link(foot *foot, const view *v)
 {
     for (int side = 0; side < 2; side++) foot->moves[side] = foot->bodies[side] != 0;
-    int jointed = foot->bodies[0];
-    while (jointed && !v->body_jntnum[jointed]) jointed = v->body_parentid[jointed];
+    // A welded body is told as the one with joints that it is welded to.
+    const int jointed = foot->bodies[0];
     foot->is_afloat = jointed && v->jnt_type[v->body_jntadr[jointed]] == JOINT_FREE;
     foot->is_straight = foot->is_afloat && v->body_jntnum[jointed] == 1 && !foot->moves[1];
     foot->freedoms = malloc((size_t)(v->nv + 1) * sizeof *foot->freedoms);

@@ -337,7 +337,7 @@ static bool is_beyond(planar_foot *feet, int count, const double *compliance, do
         memcpy(rate, feet->acceleration, sizeof rate);
         add_scaled3(rate, feet->velocity, 1 / dt);
         const double zero[3] = {0, 0, 0};
-        return !needed(feet, zero, rate, wrench);
+        return feet->has_inverse && !needed(feet, zero, rate, wrench);
     }
     // More acceleration of each foot than all of them can give it.
     for (int i = 0; i < count; i++) {

@@ -30,7 +30,7 @@ static bool remember_touch(tribos_system *system, foot *foot, const contact *con
     memcpy(made->spring, contact->spring, sizeof made->spring);
     memset(made->surface, 0, sizeof made->surface);
     if (contact->surface) memcpy(made->surface, contact->surface, sizeof made->surface);
-    foot->is_conveyed = foot->is_conveyed || dot3(made->surface, made->surface) > 0;
+    foot->is_conveyed = foot->is_conveyed || !(dot3(made->surface, made->surface) == 0);
     foot->first = system->touch_count;
     system->touch_count++;
     foot->contact_count++;

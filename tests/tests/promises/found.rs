@@ -30,14 +30,24 @@ fn a_power_law_does_not_launder_nan_and_without_a_coefficient_is_nothing() -> Ou
 }
 
 #[test]
-fn a_lever_below_the_range_of_numbers_leaves_the_gauge_of_a_force() -> Outcome {
+fn an_ellipsoid_without_an_arm_is_refused() {
     // radius × torque is less than the smallest number.
-    let set = LimitEllipsoid::new(2.0, 1e-200, 1e-200)?;
-    let push = |x: f64, torque: f64| Wrench::new(x, 0.0, torque);
-    assert_eq!(set.gauge(&push(0.0, 0.0)), 0.0);
-    assert_eq!(set.gauge(&push(-1.0, 0.0)), 0.5);
-    assert_eq!(set.gauge(&push(1.0, 1e-9)), f64::INFINITY);
-    assert!(set.gauge(&push(1.0, f64::NAN)).is_nan());
+    assert!(LimitEllipsoid::new(2.0, 1e-200, 1e-200).is_err());
+}
+
+#[test]
+fn an_ellipsoid_of_any_spin_torque_has_the_gauge_of_its_limits() -> Outcome {
+    for spin_torque in [1e-150, 1e-20, 1e20, 1e150] {
+        let set = LimitEllipsoid::new(2.0, 1.0, spin_torque)?;
+        let torque = 0.8 * set.torque_limit();
+        for [x, torque, gauge] in [[-1.0, 0.0, 0.5_f64], [0.0, torque, 0.8], [1.2, torque, 1.0]] {
+            let found = set.gauge(&Wrench::new(x, 0.0, torque));
+            assert!((found - gauge).abs() < 1e-15, "{spin_torque}: {found}");
+        }
+    }
+    // Without a load a push of any size is too much.
+    let none = LimitEllipsoid::new(0.0, f64::MAX, 1.0)?;
+    assert_eq!(none.gauge(&Wrench::new(1e-45, 0.0, 1e-45)), f64::INFINITY);
     Ok(())
 }
 

@@ -1,4 +1,4 @@
-//! Four contacts of spheres solved side by side: the operations of [`Contact::take_turn`] in the same order, with
+//! Four contacts of spheres solved side by side: the operations of `Contact::take_turn` in the same order, with
 //! selections in place of branches, so that every bit is the same.
 
 use super::aligned::Aligned;
