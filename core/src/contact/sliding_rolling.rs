@@ -164,6 +164,7 @@ impl<'a, R: Real, F: ContactFriction<R>> CoupledSlip<'a, R, F> {
             let meets = limit / magnitude(&at.stopping);
             let off = at.share - meets;
             if off.abs() <= R::from_f64(APART_ULPS) * R::EPSILON * at.share {
+                // As long as the limit: `stopping` itself may be longer by rounding and still count as held.
                 return (at.held, self.hold_rolling(&(at.stopping * meets)));
             }
             if off > R::ZERO {

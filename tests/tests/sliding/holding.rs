@@ -200,7 +200,7 @@ fn pinched<R: Real, F: ContactFriction<R>>(friction: F, margin: f64) {
         let plate = grip.push_plate(plate).expect("room");
         grip.set_force(plate, vector(press * side, 0.0, 0.0), still)
             .expect("it is there");
-        let touch = ContactGeometry::plate(real(radius), &vector(side, 0.0, 0.0), real(1.0));
+        let touch = ContactGeometry::plate(real(radius), &vector(side, 0.0, 0.0), real(radius));
         grip.push_contact(ball, plate, touch.expect("valid"))
             .expect("room");
     }
@@ -211,23 +211,27 @@ fn pinched<R: Real, F: ContactFriction<R>>(friction: F, margin: f64) {
         tolerance: real(1e-6),
     };
     let mut moved = Vector3::new(R::ZERO, R::ZERO, R::ZERO);
-    let mut last = 0;
+    let mut fastest = R::ZERO;
     for n in 0..STEPS {
         grip.solve(step, InitialGuess::Last, stop);
         let body = grip.body(ball).expect("it is there");
         let rolled = body.angular_velocity() * real(radius);
         let motion = [body.velocity(), rolled].map(|v| v.x.hypot(v.y).hypot(v.z));
-        if motion != [R::ZERO; 2] {
-            last = n;
+        // After the pads have been pressed on.
+        if n >= 100 {
+            fastest = motion
+                .into_iter()
+                .fold(fastest, |a, b| if b > a { b } else { a });
         }
         moved += body.velocity() * step.dt() + rolled * step.dt();
     }
-    // After the pads have been pressed on, rest to the last bit.
+    // Where both modes stick the update may alternate between neighbouring impulses.
+    let weight = real(9.81) * step.dt();
     println!(
-        "margin {margin}: rests from step {} on, moved {moved:?} m",
-        last + 1
+        "margin {margin}: {:?} of g dt at most, moved {moved:?} m",
+        fastest / weight
     );
-    assert!(last < 100, "{last}");
+    assert!(fastest <= R::EPSILON * weight, "{fastest:?}");
     assert!(
         moved.z.abs() < real(1e-11) && moved.x.abs() < real(1e-8),
         "{moved:?}"
@@ -236,7 +240,7 @@ fn pinched<R: Real, F: ContactFriction<R>>(friction: F, margin: f64) {
 
 #[test]
 fn a_pinched_ball_does_not_creep_in_a_million_steps() {
-    for margin in [1.05, 20.0, 95.0] {
+    for margin in [1.01, 1.03, 1.05, 20.0, 95.0] {
         let sliding = IndependentFriction::sliding(0.5).expect("valid");
         pinched::<f64, _>(sliding, margin);
         let all = IndependentFriction::all(0.5, 0.01, 0.01).expect("valid");
