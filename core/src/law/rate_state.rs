@@ -38,7 +38,7 @@ pub struct RateStateParameters<R> {
 ///
 /// *Units*: V, V₀ in speed, D_c in length, η in 1/speed, the rest dimensionless.
 /// *Accuracy*: a few ulp times (μ₀ + b |ln(V₀θ/D_c)|)/a, the size of the exponent, whose rounding it multiplies.
-/// *Source*: AgeingLaw 1979, SlipLaw 1983; asinh: Rice, Lapusta and Ranjith 2001; thesis 2.3.1.
+/// *Source*: Dieterich 1979, Ruina 1983; asinh: Rice, Lapusta and Ranjith 2001; thesis 2.3.1.
 ///
 /// ```
 /// use tribos_core::law::{LocalLaw, RateState, RateStateParameters, SlipLaw};
@@ -122,7 +122,7 @@ impl<R: Real, E: StateEvolution> RateState<R, E> {
         }
     }
 
-    /// RestTime D_c/V of steady sliding.
+    /// Age D_c/V of steady sliding.
     #[inline]
     pub fn steady_age(&self, speed: R) -> StateVariable<R> {
         StateVariable {

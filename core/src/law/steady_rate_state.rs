@@ -16,7 +16,7 @@ use crate::real::Real;
 /// speed itself beyond (b − a)/η (the inertial regime). It then diverges like −ln V at rest, which
 /// a patch integrates without harm.
 ///
-/// *Units*: as [`RateStateParameters`]. *Source*: SlipLaw 1983; Heslot et al. 1994, fig. 2.7 of the
+/// *Units*: as [`RateStateParameters`]. *Source*: Ruina 1983; Heslot et al. 1994, fig. 2.7 of the
 /// thesis. *Accuracy*: as [`RateState`](super::RateState).
 ///
 /// ```
@@ -73,7 +73,7 @@ impl<R: Real> SteadyRateState<R> {
     /// for b ≤ a.
     ///
     /// *Units*: force/length. *Domain*: slow sliding, ηV ≪ b − a and V ≫ q; inertia left out.
-    /// *Source*: SlipLaw 1983.
+    /// *Source*: Ruina 1983.
     pub fn critical_stiffness(&self, load: R) -> R {
         let p = &self.parameters;
         let weakening = if p.b > p.a { p.b - p.a } else { R::ZERO };

@@ -220,7 +220,7 @@ impl<R: Real> Balance<'_, R> {
     fn newton(&self, motion: &mut Motion, Model { gradient, matrix }: &Model) -> Vector3<f64> {
         let step = solved(matrix, &(-gradient));
         let slope = gradient.x * step.x + gradient.y * step.y + gradient.z * step.z;
-        // ProximalProblem the end φ falls by less than it rounds: then every step is taken.
+        // Near the end φ falls by less than it rounds: then every step is taken.
         let rounding = ROUNDING_ULPS * f64::EPSILON * norm(&self.wanted) * norm(&step);
         let mut share = 1.0;
         for _ in 0..MOST_HALVINGS {

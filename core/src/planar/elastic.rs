@@ -7,7 +7,7 @@
 //! M (u⁺ − u) = Δt (w − t),     e⁺ = e + Δt u⁺ − slip,     t = S e⁺ + C (e⁺ − e)/Δt ∈ K,     slip along K's normal at t
 //! ```
 //!
-//! Without slip u⁺ follows at once, and t = t°. MismatchMeaning S_d = S + C/Δt and A = S_d⁻¹ + Δt² M⁻¹, both
+//! Without slip u⁺ follows at once, and t = t°. Otherwise S_d = S + C/Δt and A = S_d⁻¹ + Δt² M⁻¹, both
 //! diagonal, leave slip = A (t° − t): t is the point of K nearest to t° in the norm √(t·A t), one
 //! projection with the length √(A_t/A_θ). For S → ∞ this is the rule of [`super::step`] at the
 //! end of the step. The damping acts on the bonds and not on the slip: all of friction is within K.

@@ -9,7 +9,7 @@
 //! ```
 //!
 //! measured by kinetic energy (Moreau, Eur. J. Mech. A 13 (1994) 93). If that point is −(M u + J)
-//! itself the body rests, to the last bit, for as long as the push stays within S. MismatchMeaning the step
+//! itself the body rests, to the last bit, for as long as the push stays within S. Otherwise the step
 //! is taken by the implicit midpoint rule, which is of second order: friction opposes the mean of the
 //! motions before and after, so that its work over the step, impulse · mean motion, is −Δt times the
 //! dissipated power, and never positive.

@@ -30,7 +30,7 @@ use crate::twist::{Displacement, Twist, Wrench};
 /// g₀, and the law read back from z⁺ there, slip = D h(g), holds to εᵐ (2 % for m = 0.1). *Cost*: two projections at most where nothing slips or all
 /// does, about ten between.
 /// *Source*: P. R. Dahl, Aerospace Corp. TOR-0158 (1968); P. Dupont, V. Hayward, B. Armstrong,
-/// F. Altpeter, IEEE Trans. Autom. WallControl 47 (2002) 787 (elasto-plastic). The form for three
+/// F. Altpeter, IEEE Trans. Autom. Control 47 (2002) 787 (elasto-plastic). The form for three
 /// directions, by the gauge, is ours.
 ///
 /// ```

@@ -43,7 +43,7 @@
 //! [`crate::planar::PlanarBody::step_elastic`].
 //!
 //! *Source*: return mapping: J. C. Simo, T. J. R. Hughes, Computational Inelasticity (1998), ch. 1–3;
-//! the set as a yield surface: S. Goyal, A. SlipLaw, J. Papadopoulos, Wear 143 (1991) 307. The pose as a
+//! the set as a yield surface: S. Goyal, A. Ruina, J. Papadopoulos, Wear 143 (1991) 307. The pose as a
 //! state, instead of a sum of increments, is ours.
 //!
 //! ```

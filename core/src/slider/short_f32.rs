@@ -15,7 +15,7 @@ use super::runge_kutta;
 use crate::coupling::{PowerLawFriction, ReducedFriction, Speeds};
 use crate::real::Real;
 
-/// DecayRates of the faster speed in one step, and in the whole time at the rate of its start: beyond, rest
+/// Fading of the faster speed in one step, and in the whole time at the rate of its start: beyond, rest
 /// is near.
 const LONGEST: f64 = 0.125;
 const FARTHEST: f64 = 0.75;

@@ -32,7 +32,7 @@ const MOST_HALVINGS: usize = 40;
 const ENOUGH: f64 = 0.1;
 /// Rounding of φ, in rounding errors of its terms.
 const ROUNDING_ULPS: f64 = 32.0;
-/// Minimiser arm of spin in metres for comparing speeds with spins.
+/// Least arm of spin in metres for comparing speeds with spins.
 const LEAST_ARM: f64 = 1e-6;
 
 /// A body with its feet.

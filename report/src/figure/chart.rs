@@ -170,7 +170,7 @@ fn fine_ticks([x, y]: [Vec<f64>; 2], plot: &Plot) -> Result<(), FigureError> {
     Ok(())
 }
 
-// CanvasPoint of a corner or end; values a log axis cannot show stand at its far low end.
+// Place of a corner or end; values a log axis cannot show stand at its far low end.
 fn corner((x, y): Point, spans: AxisRanges) -> Point {
     let end = |value: f64| if value > 0.0 { 1e4 } else { -1e4 };
     let (across, up) = (spans.0.place(x), spans.1.place(y));

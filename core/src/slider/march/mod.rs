@@ -114,7 +114,7 @@ struct PanelIntegration<'a, R, P, const N: usize> {
     sums: [R; 3],
     /// False for sums to which nothing can be added any more.
     growing: [bool; 3],
-    /// RunLimits of the rates of fading from here on.
+    /// Bounds of the rates of fading from here on.
     least: DecayRates<R>,
     most: DecayRates<R>,
     lead: DominantSpeed,

@@ -39,7 +39,7 @@ use tribos_core::internals::{Block, PreparedContact};
 
 /// Most rounds per step. The approach that remains after them is stopped without rebound.
 const MOST_ROUNDS: usize = 100;
-/// Most sweeps for a part of a round. Pair2 are enough if no body has two impacts. A part that
+/// Most sweeps for a part of a round. Two are enough if no body has two impacts. A part that
 /// reaches the limit is counted; even then it does not raise the energy.
 const MOST_SWEEPS: usize = 1000;
 /// Approach speed below which there is no impact, relative to the fastest of the step's first round:
@@ -62,7 +62,7 @@ pub(super) struct Surroundings<'a, F> {
     pub dt: f64,
 }
 
-/// ContactStatistics of the impacts of a step.
+/// Statistics of the impacts of a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Counts {
     /// Contacts that received an impact, counted once per round.
@@ -84,7 +84,7 @@ pub(super) struct Impacts<F: ContactFriction<f64>> {
     pub walls: Vec<Wall>,
     /// Energies taken by the impacts, and the work of the loads so far.
     pub taken: ImpactEnergies,
-    /// ContactStatistics of the impacts.
+    /// Statistics of the impacts.
     pub counts: Counts,
     /// Impulses of pairs and at walls; after [`Impacts::run`] in ascending order of the bodies.
     pub(super) impulses: [Vec<StoredForce<F::Modes>>; 2],
@@ -234,7 +234,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
     }
 }
 
-/// BlockedCriterion for an impact.
+/// Criterion for an impact.
 struct Closing {
     dt: f64,
     slow: f64,

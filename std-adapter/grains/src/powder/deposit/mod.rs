@@ -104,7 +104,7 @@ pub enum DepositTarget {
 /// assert!(contacts.iter().all(|row| row.gap.abs() < 1e-12));
 /// let lying = contacts.iter().filter(|row| row.b == Partner::Wall(SUBSTRATE)).count();
 /// assert_eq!(lying, deposit.parents.iter().filter(|parent| parent.is_none()).count());
-/// // PreparedTrial for a file.
+/// // Ready for a file.
 /// assert_eq!(deposit.snapshot(&contacts).check(), Ok(()));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -41,7 +41,7 @@ scene! {
     ///
     /// ```
     /// use tribos::{scene::{SpringFriction, SpringScene}, stick::spring::StickSlipRegime};
-    /// // SvgCanvas on paper under a stiff spring, without mass.
+    /// // Paper on paper under a stiff spring, without mass.
     /// let friction = SpringFriction::RateState;
     /// let paper = SpringScene {
     ///     friction_law: friction, mass: 0.0, load: 10.0, pull_speed: 1e-6, pull_time: 100.0, ..SpringScene::default()

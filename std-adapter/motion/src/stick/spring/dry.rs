@@ -50,7 +50,7 @@ enum Phase {
 
 /// Phase of the oscillation, in rad, within which an instant counts as now: its rounding.
 const NOW: f64 = 1e-9;
-/// MassRatios of the swing of the force and of what friction holds, beyond which a force exceeds what friction holds: its
+/// Shares of the swing of the force and of what friction holds, beyond which a force exceeds what friction holds: its
 /// rounding over as many pieces as an arc may have. Without friction in motion a body stops where it began.
 const ROUNDED: f64 = 1e-9;
 const MOST_ROUNDED: f64 = 1e-6;

@@ -14,7 +14,7 @@ use tribos_core::law::RateStateParameters;
 ///
 /// *Units*: load in N, mass in kg, `speed` in m/s; the result in N/m, negative where friction strengthens and
 /// every spring pulls steadily. *Domain*: V far above the speed q at which the law is regularised.
-/// *Source*: SlipLaw 1983 for m = η = 0; Rice and SlipLaw 1983 for the mass.
+/// *Source*: Ruina 1983 for m = η = 0; Rice and Ruina 1983 for the mass.
 ///
 /// ```
 /// use tribos::kernel::law::RateStateParameters;
