@@ -151,7 +151,7 @@ fn packed<F>(
     setup.solver = ContactSolver {
         method: SolverMethod::Accelerated { tolerance: 1e-4 },
         most_sweeps: 2_000,
-        warm_start: true,
+        warm_start: 1.0,
     };
     Ok(setup.sheared(RATE))
 }

@@ -33,7 +33,7 @@ pub fn accelerated(tolerance: f64) -> ContactSolver {
     ContactSolver {
         method: SolverMethod::Accelerated { tolerance },
         most_sweeps: 5_000,
-        warm_start: true,
+        warm_start: 1.0,
     }
 }
 
@@ -205,7 +205,7 @@ where
 {
     let mut unsolved = setup.clone();
     unsolved.solver.most_sweeps = 0;
-    unsolved.solver.warm_start = false;
+    unsolved.solver.warm_start = 0.0;
     let mut world = World::new(unsolved)?;
     world.step()?;
     Ok(world.problem().clone())

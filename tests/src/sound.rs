@@ -37,7 +37,7 @@ pub fn pushed(order: IterationOrder) -> WorldSetup<Smooth> {
             stop: StopRule::Fixed,
         },
         most_sweeps: SWEEPS,
-        warm_start: true,
+        warm_start: 1.0,
     };
     setup
 }

@@ -110,5 +110,5 @@ fn environment(effort: Effort) -> String {
         Effort::Full => "Full",
     };
     let made = TEXT.part(part).concat();
-    format!("tribos {version}, table tier in f64. {made}")
+    format!("tribos {version}, exact tier in f64. {made}")
 }

@@ -75,7 +75,7 @@ where
                 tolerance: TOLERANCE,
             },
             most_sweeps: MOST_SWEEPS,
-            warm_start: true,
+            warm_start: 1.0,
         },
         sleep_speed: 0.0,
     })

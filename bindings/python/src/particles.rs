@@ -120,7 +120,7 @@ impl World {
             solver: ContactSolver {
                 method: SolverMethod::Accelerated { tolerance },
                 most_sweeps: sweeps,
-                warm_start: true,
+                warm_start: 1.0,
             },
             sleep_speed,
             ..WorldSetup::new(laws)

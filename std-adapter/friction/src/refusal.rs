@@ -75,7 +75,7 @@ pub enum FrictionError {
     #[error("{0}")]
     Unserved(String),
     /// Quadrature has no profile, which final motion and sliders are computed from.
-    #[error("quadrature serves no final motion; use the table or the compact tier")]
+    #[error("quadrature serves no final motion; use the exact tier")]
     NoProfile,
     /// Points and patches with straight edges have no axis of symmetry.
     #[error("points and patches with straight edges have no axis of symmetry: name a round patch")]

@@ -151,7 +151,7 @@ fn solvers() -> [ContactSolver; 4] {
             stop: StopRule::Global(1e-6),
         },
         most_sweeps: 200,
-        warm_start: true,
+        warm_start: 1.0,
     };
     [
         gauss_seidel(IterationOrder::Fixed),

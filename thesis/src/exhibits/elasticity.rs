@@ -50,7 +50,7 @@ fn row(bodies: usize, order: IterationOrder, sweeps: usize) -> Result<World<Smoo
                 stop: StopRule::Fixed,
             },
             most_sweeps: sweeps,
-            warm_start: true,
+            warm_start: 1.0,
         },
         ..WorldSetup::new(laws)
     };

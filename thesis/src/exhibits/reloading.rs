@@ -86,7 +86,7 @@ impl Packing {
                     tolerance: TOLERANCE,
                 },
                 most_sweeps: MOST_SWEEPS,
-                warm_start: true,
+                warm_start: 1.0,
             },
             ..WorldSetup::new(laws)
         };

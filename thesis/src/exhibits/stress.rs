@@ -6,6 +6,7 @@ use crate::runs::{Case, Effort, Run, Runs, System};
 use crate::text::Text;
 use anyhow::Result;
 use tribos::powder::PowderStopReason;
+use tribos::scene::WarmStart;
 use tribos_report::claim::{Claim, MismatchMeaning};
 use tribos_report::figure::{Axis, Figure, Legend, ReferenceLine, Series};
 use tribos_report::verdict::Allowance;
@@ -190,7 +191,8 @@ fn choice_claims(runs: &Runs) -> Result<Vec<Claim>> {
         plus(&few) < TABLE[0][2] && plus(&warm) > TABLE[0][2],
     )];
     if runs.effort() == Effort::Full {
-        let cold = runs.one(&usual.with("warm_start=off", |scene| scene.warm_start = false))?;
+        let cold =
+            runs.one(&usual.with("warm_start=off", |scene| scene.warm_start = WarmStart(0.0)))?;
         let apart = cold.outcome.porosity_final - warm.outcome.porosity_final;
         let overlap = cold.outcome.max_overlap;
         claims.push(Claim::own_statement(

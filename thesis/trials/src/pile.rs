@@ -78,7 +78,7 @@ impl<F: ContactFriction<f64> + Coefficients> Pile<F> {
         setup.solver = ContactSolver {
             method: cd::SolverMethod::Accelerated { tolerance },
             most_sweeps: sweeps,
-            warm_start: true,
+            warm_start: 1.0,
         };
         for (place, sphere) in &self.spheres {
             setup = setup.sphere(*place, 1.0, *sphere);

@@ -106,7 +106,7 @@ where
                 stop: StopRule::Fixed,
             },
             most_sweeps: sweeps,
-            warm_start: true,
+            warm_start: 1.0,
         },
         sleep_speed: 0.0,
         ..WorldSetup::new(WorldMaterials::uniform(cohesive, friction))

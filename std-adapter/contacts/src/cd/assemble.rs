@@ -138,8 +138,9 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
                 });
             }
         }
-        if self.setup.solver.warm_start {
-            state.memory.warm_start(problem, dt);
+        let share = self.setup.solver.warm_start;
+        if share > 0.0 {
+            state.memory.warm_start(problem, share * dt);
         }
         problem.start();
         Ok(())

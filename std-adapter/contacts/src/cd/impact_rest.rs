@@ -126,7 +126,7 @@ mod tests {
             solver: ContactSolver {
                 method: SolverMethod::Accelerated { tolerance: 1e-9 },
                 most_sweeps: 100,
-                warm_start: true,
+                warm_start: 1.0,
             },
             sleep_speed: 0.0,
         })?;

@@ -39,7 +39,7 @@ fn setup(laws: WorldMaterials<Friction>) -> WorldSetup<Friction> {
         solver: ContactSolver {
             method: SolverMethod::Accelerated { tolerance: 1e-12 },
             most_sweeps: 1000,
-            warm_start: true,
+            warm_start: 1.0,
         },
         ..WorldSetup::new(laws)
     }

@@ -28,7 +28,7 @@ fn solver(tolerance: f64) -> ContactSolver {
     ContactSolver {
         method: SolverMethod::Accelerated { tolerance },
         most_sweeps: 5_000,
-        warm_start: true,
+        warm_start: 1.0,
     }
 }
 

@@ -35,8 +35,8 @@ pub struct ContactSolver {
     /// Largest number of sweeps per step. The accelerated method adds at most half as many if its sweeps
     /// cycle, which may happen with large friction coefficients.
     pub most_sweeps: usize,
-    /// Whether a step starts from the forces of the last one.
-    pub warm_start: bool,
+    /// Share, from 0 to 1, of the last step's forces that a step starts from.
+    pub warm_start: f64,
 }
 
 impl Default for ContactSolver {
@@ -45,7 +45,7 @@ impl Default for ContactSolver {
         Self {
             method: SolverMethod::Accelerated { tolerance: 1e-9 },
             most_sweeps: 1000,
-            warm_start: true,
+            warm_start: 1.0,
         }
     }
 }

@@ -51,7 +51,7 @@ fn ball(
         solver: ContactSolver {
             method: SolverMethod::Accelerated { tolerance: 1e-13 },
             most_sweeps: 1000,
-            warm_start: true,
+            warm_start: 1.0,
         },
         ..WorldSetup::new(laws(mu)?)
     };

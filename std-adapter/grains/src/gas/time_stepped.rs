@@ -201,7 +201,7 @@ fn method(scene: &GasScene) -> Method {
                 tolerance: TOLERANCE,
             },
             most_sweeps: SWEEPS,
-            warm_start: true,
+            warm_start: 1.0,
         },
         step_limits: StepLimits {
             motion: scene.max_displacement,

@@ -41,7 +41,7 @@ impl GrainsScene {
                         tolerance: self.tolerance,
                     },
                     most_sweeps: self.max_iterations,
-                    warm_start: true,
+                    warm_start: 1.0,
                 },
                 step_limits,
                 // Gravity and walls change in time, which would not wake grains that sleep.

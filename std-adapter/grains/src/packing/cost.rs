@@ -183,7 +183,7 @@ fn block(
                     stop: StopRule::Fixed,
                 },
                 most_sweeps: SWEEPS,
-                warm_start: false,
+                warm_start: 0.0,
             },
             step_limits,
             still_speed: 0.0,

@@ -6,10 +6,10 @@ use crate::packing::{SIZES, SizeDistribution};
 use crate::powder::deposit::{Ballistic, DepositTarget};
 use std::path::PathBuf;
 use tribos_base::scene::entries::Written;
-use tribos_base::scene::key::{Domain::*, MOST_SEEDS, Need::*};
+use tribos_base::scene::key::{Domain, Domain::*, Form, MOST_SEEDS, Need::*};
 use tribos_base::scene::reader::SceneDiagnostics;
-use tribos_base::scene::table::scene;
-use tribos_base::scene::words::{Word, words};
+use tribos_base::scene::table::{Setting, scene};
+use tribos_base::scene::words::{Word, meant, words};
 use tribos_contacts::cd::{ContactSolver, IterationOrder, SolverMethod, StepLimits, StopRule};
 use tribos_contacts::soft::{STEPS_PER_COLLISION, Stiffness};
 use tribos_core::contact::Attraction;
@@ -57,6 +57,43 @@ pub enum SweepStop {
     Fixed,
 }
 words!(SweepStop { Global = "global", Local = "local", Fixed = "fixed" });
+
+/// Share of the last step's forces that a step starts from, from 0 to 1.
+///
+/// In files also "on", which is 1, and "off", which is 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WarmStart(pub f64);
+
+const WARM_START: Domain = Domain::Form(&Form {
+    name: "share",
+    valid: "\"on\" or \"off\"",
+    read: |text| match bool::of_word(text) {
+        Some(starts) => Ok(vec![f64::from(starts)]),
+        None => {
+            let hint = meant(text, bool::WORDS);
+            Err(format!(
+                "must be a number from 0 to 1, or \"on\" or \"off\", got \"{text}\"{hint}"
+            ))
+        }
+    },
+    numbers: Some(&Domain::Fraction),
+    names_absence: true,
+});
+
+impl Setting for WarmStart {
+    fn written(&self) -> Written {
+        match self.0 {
+            1.0 => true.written(),
+            0.0 => false.written(),
+            share => share.written(),
+        }
+    }
+
+    fn read(written: &Written) -> Option<Self> {
+        let share = || Some(f64::from(bool::read(written)?));
+        f64::read(written).or_else(share).map(Self)
+    }
+}
 
 /// Stream of random orders of sweeps: another seed than the deposit's is of no use.
 const ORDER_SEED: u64 = 1;
@@ -161,8 +198,8 @@ scene! {
     /// Most sweeps of a step, N_I; all of them with stop_rule = "fixed".
     // A bound for steps in which the tolerance is out of reach.
     max_iterations was sweeps: usize = 1000, "-", Count { from: 1.0, up_to: 1e6 }, PartOf("method", "contact-dynamics");
-    /// Whether a step starts from the forces of the last one.
-    warm_start: bool = true, "-", OneOf(bool::WORDS), PartOf("method", "contact-dynamics");
+    /// Share of the last step's forces that a step starts from; "on" is 1, "off" is 0.
+    warm_start: WarmStart = WarmStart(1.0), "-", WARM_START, PartOf("method", "contact-dynamics");
     /// Largest distance that a sphere may move in a step; soft contacts divide it into stable ones.
     // A twentieth of a radius keeps the angle by which a normal turns in a step small.
     max_displacement was motion: f64 = 0.05, "R", Between { above: 0.0, up_to: 0.5 };
@@ -301,7 +338,7 @@ impl PowderScene {
         ContactSolver {
             method,
             most_sweeps: self.max_iterations,
-            warm_start: self.warm_start,
+            warm_start: self.warm_start.0,
         }
     }
 
