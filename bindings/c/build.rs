@@ -3,22 +3,7 @@
 use std::path::Path;
 use std::{env, fs};
 
-/// Files of `src/double`, in the order of the header.
-const MODULES: [&str; 13] = [
-    "vectors",
-    "law",
-    "patch",
-    "patch_batch",
-    "nodes",
-    "surface",
-    "polygon",
-    "patch_surface",
-    "slider",
-    "planar",
-    "batch",
-    "contact",
-    "update",
-];
+include!("modules.rs");
 
 fn main() -> std::io::Result<()> {
     let source = Path::new("src/double");

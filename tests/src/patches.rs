@@ -171,6 +171,7 @@ pub fn plain_numbers<R: Real>(
 #[derive(Clone, Debug)]
 pub struct RowErrors {
     wrench: [Worst; 3],
+    ulps: [Worst; 2],
     derivatives: [Worst; 2],
 }
 
@@ -180,6 +181,7 @@ impl RowErrors {
         let of = |quantity: &str| Worst::of(format!("{tier}, {quantity}"));
         Self {
             wrench: ["F", "T", "G"].map(of),
+            ulps: ["F (ulp)", "T (ulp)"].map(of),
             derivatives: ["dF", "dT"].map(of),
         }
     }
@@ -192,6 +194,9 @@ impl RowErrors {
         let got = [got.force, got.torque, tier.lateral(ratio, 1.0)];
         for ((worst, column), got) in self.wrench.iter_mut().zip(["F", "T", "G"]).zip(got) {
             worst.see(row.reference(column).relative(got), &place);
+        }
+        for ((worst, column), got) in self.ulps.iter_mut().zip(["F", "T"]).zip(got) {
+            worst.see(row.reference(column).ulps(got), &place);
         }
         let got = tier.reduced_jacobian(ratio, 1.0);
         let drag = if ratio == 0.0 {
@@ -217,6 +222,17 @@ impl RowErrors {
         }
         for worst in &self.derivatives {
             worst.assert_within(derivatives);
+        }
+    }
+
+    /// Fails if the error of F or T exceeds its bound in ulp.
+    ///
+    /// # Panics
+    /// If it does.
+    #[track_caller]
+    pub fn assert_ulps(&self, bounds: &[Bound; 2]) {
+        for (worst, bound) in self.ulps.iter().zip(bounds) {
+            worst.assert_within(bound);
         }
     }
 }

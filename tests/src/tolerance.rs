@@ -23,8 +23,8 @@ macro_rules! bounds {
 bounds! {
     /// Time, path length and angle of a body on a path, each relative to itself.
     MINOR_MOTION = 2e-12, "promised for journeys; errors of steps, each at most 1e-13, add up";
-    /// Fitted form of the disk and its table of α = 0, ulp.
-    COULOMB_ULPS = 6.0, "one speed is 1 here; 4 and 12 are promised of force and torque at any: torque from force and slope";
+    /// Table of α = 0 on the disk, ulp.
+    TABLE_DRY_ULPS = 5.0, "promised in coupling::table";
     /// Tables of −0.75 ≤ α ≤ 10, relative.
     TABLE = 1.5e-15, "7 ulp: speed power, Horner scheme, weights";
     /// Tables of α < −0.75, relative.
@@ -175,15 +175,15 @@ bounds! {
     LEGENDRE = 1e-15, "four products of integrals of a few ulp";
 
     /// Gauge of surface points known to 32 digits, absolute.
-    GAUGE = 1e-15, "dissipation of the table tier and three roundings";
+    GAUGE = 1e-15, "dissipation of the form and three roundings";
     /// Velocity ratio recovered from its own friction, relative.
     NORMAL = 2e-15, "the form's error over the curvature of the surface";
     /// The same for a ring, whose slopes are infinite at equal speeds.
     NORMAL_RING = 4e-15, "the last Newton step only divides its error by a logarithm";
     /// Gauge of projections against 1, in units of EPSILON; the collar is 64.
     ON_SURFACE_ULPS = 8.0, "surface point and gauge round a few times each";
-    /// The same for couplings by the arithmetic-geometric mean.
-    ON_SURFACE_PLANE_ULPS = 56.0, "noise of rings, annuli and patches in the plane, in point and gauge";
+    /// The same for rings, annuli and patches in the plane.
+    ON_SURFACE_PLANE_ULPS = 56.0, "their noise, in point and gauge";
     /// The same for points, whose gauge between facets is right to POINT_SURFACE.
     ON_SURFACE_POINT_ULPS = 4.5e6, "POINT_SURFACE in units of EPSILON";
     /// Displacement across the normal, of the set's size and the displacement.
@@ -218,10 +218,18 @@ bounds! {
     ROUND_COMPACT_DEEP = 1e-14, "promised in coupling::compact; ring: torque is (1+alpha)/2 of two terms that cancel, 7.2e-15 at v = 1.044 w";
     /// Derivatives of compact powers of pressures, of the larger of themselves and F/v.
     ROUND_COMPACT_JACOBIAN = 2e-13, "ring at alpha = 0.001 and equal speeds: 1/alpha against a logarithm that almost cancels";
-    /// Fitted forms, relative.
-    FORM = 2e-15, "9 ulp, as coupling::coulomb promises of a ring's force: the rounding of z next to equal speeds";
-    /// Their derivatives, of the larger of themselves and F/v.
-    FORM_JACOBIAN = 3e-15, "as FORM";
+    /// Force of fitted forms, ulp.
+    FORM_FORCE_ULPS = 4.0, "promised in coupling::coulomb";
+    /// The same of the ring.
+    FORM_FORCE_RING_ULPS = 9.0, "promised in coupling::coulomb: the rounding of z next to equal speeds";
+    /// Torque of fitted forms, ulp.
+    FORM_TORQUE_ULPS = 5.0, "promised in coupling::coulomb";
+    /// The same of ring and paraboloid.
+    FORM_TORQUE_ENDS_ULPS = 7.0, "promised in coupling::coulomb";
+    /// Lateral function of fitted forms, and with force and torque on a dense sweep, relative.
+    FORM = 2e-15, "FORM_FORCE_RING_ULPS; the sweep's oracle, compact powers, adds its own error";
+    /// Derivatives of fitted forms, of the larger of themselves and F/v.
+    FORM_JACOBIAN = 3e-15, "promised in coupling::coulomb";
     /// f32 fitted forms, ulp of f32.
     SINGLE_FORM_ULPS = 5.0, "promised in coupling::coulomb";
     /// f32 tables of pressures −1 ≤ q ≤ 2, −0.75 ≤ α ≤ 3, ulp of f32.

@@ -8,7 +8,9 @@ use super::{Case, Entry, Label, Refused, SEED, precision};
 use crate::methods::as_pair;
 use crate::mix;
 use crate::reference::Wide;
+use std::any::TypeId;
 use tribos::friction::{Patch, Precision, RoundPower, Tier, Visitor, visit};
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::round::PolynomialTable;
 use tribos_core::coupling::{Annulus, ReducedFriction, compact};
@@ -108,12 +110,12 @@ impl<R: Precision> Visitor<R> for Row<'_> {
 }
 
 /// Size of a coupling with its table or, where it has no data of its own, of the numbers of a form.
-pub fn table_bytes<R: Precision, P>() -> usize {
-    let own = size_of::<P>();
-    if own > size_of::<R>() {
-        own
-    } else {
-        form_bytes::<R>()
+pub fn table_bytes<R: Precision, P: 'static>() -> usize {
+    match size_of::<P>() {
+        own if own > size_of::<R>() => own,
+        // A fit for spinning and one for sliding as the faster motion; the disk needs one.
+        0 if TypeId::of::<P>() != TypeId::of::<CoulombDisk>() => 2 * form_bytes::<R>(),
+        _ => form_bytes::<R>(),
     }
 }
 

@@ -285,7 +285,7 @@ typedef struct tribos_disk_rule_f64 {
   double tilt_y;
 } tribos_disk_rule_f64;
 
-// The exact limit surface of a uniform disk, by table.
+// The exact limit surface of a uniform disk.
 typedef struct tribos_disk_surface_f64 {
   // mu x load, finite and not negative. With 0 the set is the zero wrench.
   double force_limit;
@@ -664,7 +664,7 @@ typedef struct tribos_disk_rule_f32 {
   float tilt_y;
 } tribos_disk_rule_f32;
 
-// The exact limit surface of a uniform disk, by table.
+// The exact limit surface of a uniform disk.
 typedef struct tribos_disk_surface_f32 {
   // mu x load, finite and not negative. With 0 the set is the zero wrench.
   float force_limit;
@@ -1001,7 +1001,7 @@ tribos_status tribos_rate_state_steady_slope_f64(const struct tribos_rate_state_
                                                  double *slope);
 
 // Uniform disk under Coulomb friction. Flash: 0.4 KiB of numbers (f32: 0.1).
-// Accuracy: 4 ulp in force, 12 in torque (f32: 7).
+// Accuracy at speeds right to 2 ulp: 7 ulp in force, 8 in torque (f32: 8).
 tribos_status tribos_disk_wrench_f64(const struct tribos_round_f64 *patch,
                                      double load,
                                      const struct tribos_twist_f64 *twist,
@@ -1029,7 +1029,7 @@ tribos_status tribos_annulus_jacobian_f64(const struct tribos_round_f64 *patch,
                                           struct tribos_jacobian_f64 *jacobian);
 
 // Hertz' pressure (a ball on a plane) under Coulomb friction.
-// Accuracy: 4 ulp in force, 12 in torque (f32: 7).
+// Accuracy at speeds right to 2 ulp: 7 ulp in force, 8 in torque (f32: 8).
 tribos_status tribos_hertz_wrench_f64(const struct tribos_round_f64 *patch,
                                       double load,
                                       const struct tribos_twist_f64 *twist,
@@ -1042,7 +1042,7 @@ tribos_status tribos_hertz_jacobian_f64(const struct tribos_round_f64 *patch,
                                         struct tribos_jacobian_f64 *jacobian);
 
 // A thin ring under Coulomb friction.
-// Accuracy: 9 ulp in force, 12 in torque (f32: 8).
+// Accuracy at speeds right to 2 ulp: 12 ulp in force, 10 in torque (f32: 8).
 tribos_status tribos_ring_wrench_f64(const struct tribos_round_f64 *patch,
                                      double load,
                                      const struct tribos_twist_f64 *twist,
@@ -1055,7 +1055,7 @@ tribos_status tribos_ring_jacobian_f64(const struct tribos_round_f64 *patch,
                                        struct tribos_jacobian_f64 *jacobian);
 
 // A rigid flat punch on an elastic half space under Coulomb friction.
-// Accuracy: 4 ulp in force, 12 in torque (f32: 7).
+// Accuracy at speeds right to 2 ulp: 7 ulp in force, 8 in torque (f32: 8).
 tribos_status tribos_punch_wrench_f64(const struct tribos_round_f64 *patch,
                                       double load,
                                       const struct tribos_twist_f64 *twist,
@@ -1460,8 +1460,8 @@ tribos_status tribos_planar_ellipsoid_step_f64(const struct tribos_planar_body_f
                                                double dt,
                                                struct tribos_planar_step_f64 *step);
 
-// Gauges of `count` wrenches, as tribos_disk_surface_gauge_f64.
-// Special values: NaN for a load that is negative or NaN.
+// Gauges of `count` wrenches, as tribos_disk_surface_gauge_f64. Domain: 0 <= load < inf.
+// Special values: NaN for a negative or NaN load, unless the wrench is zero or infinite.
 tribos_status tribos_disk_surface_gauge_batch_f64(const struct tribos_disk_surface_f64 *surface,
                                                   const double *loads,
                                                   const struct tribos_wrench_f64 *wrenches,
@@ -1475,7 +1475,7 @@ tribos_status tribos_disk_surface_motion_batch_f64(const struct tribos_disk_surf
                                                    struct tribos_twist_f64 *twists);
 
 // Projections of `count` wrenches, as tribos_disk_surface_project_f64; a length of 0 represents the radius.
-// Special values: NaN for a load that is negative or NaN.
+// Domain: 0 <= load < inf. Special values: NaN for a negative or NaN load, unless the wrench is zero.
 tribos_status tribos_disk_surface_project_batch_f64(const struct tribos_disk_surface_f64 *surface,
                                                     const double *loads,
                                                     const struct tribos_wrench_f64 *wrenches,
@@ -1484,7 +1484,7 @@ tribos_status tribos_disk_surface_project_batch_f64(const struct tribos_disk_sur
                                                     struct tribos_projection_f64 *projections);
 
 // Projections of `count` wrenches onto the surface of an annulus, as tribos_annulus_project_f64.
-// Special values: NaN for a load that is negative or NaN.
+// Domain: 0 <= load < inf. Special values: NaN for a negative or NaN load, unless the wrench is zero.
 tribos_status tribos_annulus_project_batch_f64(const struct tribos_round_f64 *patch,
                                                double inner_ratio,
                                                const double *loads,
@@ -1494,7 +1494,7 @@ tribos_status tribos_annulus_project_batch_f64(const struct tribos_round_f64 *pa
                                                struct tribos_projection_f64 *projections);
 
 // Projections of `count` wrenches onto the surface of a Hertz contact, as tribos_hertz_project_f64.
-// Special values: NaN for a load that is negative or NaN.
+// Domain: 0 <= load < inf. Special values: NaN for a negative or NaN load, unless the wrench is zero.
 tribos_status tribos_hertz_project_batch_f64(const struct tribos_round_f64 *patch,
                                              const double *loads,
                                              const struct tribos_wrench_f64 *wrenches,
@@ -1503,7 +1503,7 @@ tribos_status tribos_hertz_project_batch_f64(const struct tribos_round_f64 *patc
                                              struct tribos_projection_f64 *projections);
 
 // Projections of `count` wrenches onto the surface of a ring, as tribos_ring_project_f64.
-// Special values: NaN for a load that is negative or NaN.
+// Domain: 0 <= load < inf. Special values: NaN for a negative or NaN load, unless the wrench is zero.
 tribos_status tribos_ring_project_batch_f64(const struct tribos_round_f64 *patch,
                                             const double *loads,
                                             const struct tribos_wrench_f64 *wrenches,
@@ -1512,7 +1512,7 @@ tribos_status tribos_ring_project_batch_f64(const struct tribos_round_f64 *patch
                                             struct tribos_projection_f64 *projections);
 
 // Projections of `count` wrenches onto the surface of a rigid flat punch, as tribos_punch_project_f64.
-// Special values: NaN for a load that is negative or NaN.
+// Domain: 0 <= load < inf. Special values: NaN for a negative or NaN load, unless the wrench is zero.
 tribos_status tribos_punch_project_batch_f64(const struct tribos_round_f64 *patch,
                                              const double *loads,
                                              const struct tribos_wrench_f64 *wrenches,
@@ -1521,7 +1521,8 @@ tribos_status tribos_punch_project_batch_f64(const struct tribos_round_f64 *patc
                                              struct tribos_projection_f64 *projections);
 
 // Steps of `count` bodies alike, each with its load, motion and push, as tribos_planar_disk_step_f64.
-// Special values: as there; NaN for a load that is negative or NaN, unless the body rests without push.
+// Domain: 0 <= load < inf. Special values: as there; NaN for a negative or NaN load, unless the body rests
+// without push.
 tribos_status tribos_planar_disk_step_batch_f64(const struct tribos_planar_body_f64 *body,
                                                 const struct tribos_disk_surface_f64 *surface,
                                                 const double *loads,
@@ -1754,7 +1755,7 @@ tribos_status tribos_rate_state_steady_slope_f32(const struct tribos_rate_state_
                                                  float *slope);
 
 // Uniform disk under Coulomb friction. Flash: 0.4 KiB of numbers (f32: 0.1).
-// Accuracy: 4 ulp in force, 12 in torque (f32: 7).
+// Accuracy at speeds right to 2 ulp: 7 ulp in force, 8 in torque (f32: 8).
 tribos_status tribos_disk_wrench_f32(const struct tribos_round_f32 *patch,
                                      float load,
                                      const struct tribos_twist_f32 *twist,
@@ -1782,7 +1783,7 @@ tribos_status tribos_annulus_jacobian_f32(const struct tribos_round_f32 *patch,
                                           struct tribos_jacobian_f32 *jacobian);
 
 // Hertz' pressure (a ball on a plane) under Coulomb friction.
-// Accuracy: 4 ulp in force, 12 in torque (f32: 7).
+// Accuracy at speeds right to 2 ulp: 7 ulp in force, 8 in torque (f32: 8).
 tribos_status tribos_hertz_wrench_f32(const struct tribos_round_f32 *patch,
                                       float load,
                                       const struct tribos_twist_f32 *twist,
@@ -1795,7 +1796,7 @@ tribos_status tribos_hertz_jacobian_f32(const struct tribos_round_f32 *patch,
                                         struct tribos_jacobian_f32 *jacobian);
 
 // A thin ring under Coulomb friction.
-// Accuracy: 9 ulp in force, 12 in torque (f32: 8).
+// Accuracy at speeds right to 2 ulp: 12 ulp in force, 10 in torque (f32: 8).
 tribos_status tribos_ring_wrench_f32(const struct tribos_round_f32 *patch,
                                      float load,
                                      const struct tribos_twist_f32 *twist,
@@ -1808,7 +1809,7 @@ tribos_status tribos_ring_jacobian_f32(const struct tribos_round_f32 *patch,
                                        struct tribos_jacobian_f32 *jacobian);
 
 // A rigid flat punch on an elastic half space under Coulomb friction.
-// Accuracy: 4 ulp in force, 12 in torque (f32: 7).
+// Accuracy at speeds right to 2 ulp: 7 ulp in force, 8 in torque (f32: 8).
 tribos_status tribos_punch_wrench_f32(const struct tribos_round_f32 *patch,
                                       float load,
                                       const struct tribos_twist_f32 *twist,
@@ -2213,8 +2214,8 @@ tribos_status tribos_planar_ellipsoid_step_f32(const struct tribos_planar_body_f
                                                float dt,
                                                struct tribos_planar_step_f32 *step);
 
-// Gauges of `count` wrenches, as tribos_disk_surface_gauge_f32.
-// Special values: NaN for a load that is negative or NaN.
+// Gauges of `count` wrenches, as tribos_disk_surface_gauge_f32. Domain: 0 <= load < inf.
+// Special values: NaN for a negative or NaN load, unless the wrench is zero or infinite.
 tribos_status tribos_disk_surface_gauge_batch_f32(const struct tribos_disk_surface_f32 *surface,
                                                   const float *loads,
                                                   const struct tribos_wrench_f32 *wrenches,
@@ -2228,7 +2229,7 @@ tribos_status tribos_disk_surface_motion_batch_f32(const struct tribos_disk_surf
                                                    struct tribos_twist_f32 *twists);
 
 // Projections of `count` wrenches, as tribos_disk_surface_project_f32; a length of 0 represents the radius.
-// Special values: NaN for a load that is negative or NaN.
+// Domain: 0 <= load < inf. Special values: NaN for a negative or NaN load, unless the wrench is zero.
 tribos_status tribos_disk_surface_project_batch_f32(const struct tribos_disk_surface_f32 *surface,
                                                     const float *loads,
                                                     const struct tribos_wrench_f32 *wrenches,
@@ -2237,7 +2238,7 @@ tribos_status tribos_disk_surface_project_batch_f32(const struct tribos_disk_sur
                                                     struct tribos_projection_f32 *projections);
 
 // Projections of `count` wrenches onto the surface of an annulus, as tribos_annulus_project_f32.
-// Special values: NaN for a load that is negative or NaN.
+// Domain: 0 <= load < inf. Special values: NaN for a negative or NaN load, unless the wrench is zero.
 tribos_status tribos_annulus_project_batch_f32(const struct tribos_round_f32 *patch,
                                                float inner_ratio,
                                                const float *loads,
@@ -2247,7 +2248,7 @@ tribos_status tribos_annulus_project_batch_f32(const struct tribos_round_f32 *pa
                                                struct tribos_projection_f32 *projections);
 
 // Projections of `count` wrenches onto the surface of a Hertz contact, as tribos_hertz_project_f32.
-// Special values: NaN for a load that is negative or NaN.
+// Domain: 0 <= load < inf. Special values: NaN for a negative or NaN load, unless the wrench is zero.
 tribos_status tribos_hertz_project_batch_f32(const struct tribos_round_f32 *patch,
                                              const float *loads,
                                              const struct tribos_wrench_f32 *wrenches,
@@ -2256,7 +2257,7 @@ tribos_status tribos_hertz_project_batch_f32(const struct tribos_round_f32 *patc
                                              struct tribos_projection_f32 *projections);
 
 // Projections of `count` wrenches onto the surface of a ring, as tribos_ring_project_f32.
-// Special values: NaN for a load that is negative or NaN.
+// Domain: 0 <= load < inf. Special values: NaN for a negative or NaN load, unless the wrench is zero.
 tribos_status tribos_ring_project_batch_f32(const struct tribos_round_f32 *patch,
                                             const float *loads,
                                             const struct tribos_wrench_f32 *wrenches,
@@ -2265,7 +2266,7 @@ tribos_status tribos_ring_project_batch_f32(const struct tribos_round_f32 *patch
                                             struct tribos_projection_f32 *projections);
 
 // Projections of `count` wrenches onto the surface of a rigid flat punch, as tribos_punch_project_f32.
-// Special values: NaN for a load that is negative or NaN.
+// Domain: 0 <= load < inf. Special values: NaN for a negative or NaN load, unless the wrench is zero.
 tribos_status tribos_punch_project_batch_f32(const struct tribos_round_f32 *patch,
                                              const float *loads,
                                              const struct tribos_wrench_f32 *wrenches,
@@ -2274,7 +2275,8 @@ tribos_status tribos_punch_project_batch_f32(const struct tribos_round_f32 *patc
                                              struct tribos_projection_f32 *projections);
 
 // Steps of `count` bodies alike, each with its load, motion and push, as tribos_planar_disk_step_f32.
-// Special values: as there; NaN for a load that is negative or NaN, unless the body rests without push.
+// Domain: 0 <= load < inf. Special values: as there; NaN for a negative or NaN load, unless the body rests
+// without push.
 tribos_status tribos_planar_disk_step_batch_f32(const struct tribos_planar_body_f32 *body,
                                                 const struct tribos_disk_surface_f32 *surface,
                                                 const float *loads,

@@ -31,20 +31,20 @@ pub(crate) unsafe fn slice_mut<'a, T>(
     Ok(core::slice::from_raw_parts_mut(to, count))
 }
 
-/// Pieces of `CHUNK` elements, the last one shorter. Unlike `chunks`, without a division that could panic.
+/// Pieces of N elements, the last one shorter. Unlike `chunks`, without a division that could panic.
 #[inline(always)]
-pub(crate) fn pieces<T>(of: &[T]) -> impl Iterator<Item = &[T]> {
-    let (whole, rest) = of.as_chunks::<CHUNK>();
+pub(crate) fn pieces<const N: usize, T>(of: &[T]) -> impl Iterator<Item = &[T]> {
+    let (whole, rest) = of.as_chunks::<N>();
     let rest = (!rest.is_empty()).then_some(rest);
-    whole.iter().map(<[T; CHUNK]>::as_slice).chain(rest)
+    whole.iter().map(<[T; N]>::as_slice).chain(rest)
 }
 
 /// [`pieces`] to write to.
 #[inline(always)]
-pub(crate) fn pieces_mut<T>(of: &mut [T]) -> impl Iterator<Item = &mut [T]> {
-    let (whole, rest) = of.as_chunks_mut::<CHUNK>();
+pub(crate) fn pieces_mut<const N: usize, T>(of: &mut [T]) -> impl Iterator<Item = &mut [T]> {
+    let (whole, rest) = of.as_chunks_mut::<N>();
     let rest = (!rest.is_empty()).then_some(rest);
-    whole.iter_mut().map(<[T; CHUNK]>::as_mut_slice).chain(rest)
+    whole.iter_mut().map(<[T; N]>::as_mut_slice).chain(rest)
 }
 
 /// Refuses null and arrays larger than half of the address space.

@@ -69,10 +69,16 @@ impl Columns<'_> {
 }
 
 impl Bodies<'_> {
+    /// True if all have one mass, inertia and time step.
+    fn are_alike(&self) -> bool {
+        let [_, given @ ..] = self.0;
+        given.iter().all(|one| matches!(one, View::One(_)))
+    }
+
     /// The bodies `of` with their time steps: one, if all are alike.
     fn with_steps(&self, mut of: Range<usize>) -> PyResult<Vec<(PlanarBody<f64>, TimeStep<f64>)>> {
         let [_, given @ ..] = self.0;
-        if given.iter().all(|one| matches!(one, View::One(_))) {
+        if self.are_alike() {
             of.end = of.end.min(of.start + 1);
         }
         let one = |index| {
@@ -173,8 +179,12 @@ fn turned([x, y, turning]: [f64; 3], turn: Option<[f64; 2]>) -> [f64; 3] {
 const TOGETHER: usize = 64;
 
 /// Nanoseconds that a step takes, about.
-fn cost(patch: &Patch) -> usize {
-    if patch.0.is_round() { 800 } else { 3_000 }
+fn cost(patch: &Patch, bodies: &Bodies<'_>) -> usize {
+    match (patch.0.is_round(), bodies.are_alike()) {
+        (true, true) => 250,
+        (true, false) => 800,
+        (false, _) => 3_000,
+    }
 }
 
 /// One step of each body: twists, friction, and whether it rests.
@@ -205,7 +215,8 @@ pub fn planar_step<'py>(
     let turns = !patch.0.is_round();
 
     let mut steps = vec![BLANK; batch.iter().product()];
-    fill_together(py, &mut steps, cost(patch), TOGETHER, |from, piece| {
+    let cost = cost(patch, &bodies);
+    fill_together(py, &mut steps, cost, TOGETHER, |from, piece| {
         let all = from..from + piece.len();
         let limits = bodies.limits(all.clone());
         let mut stepper = Stepper::new(&surface.sets, limits.as_flattened(), &bodies, all.clone())?;
@@ -295,7 +306,7 @@ pub fn planar_rollout<'py>(
         rests,
     };
     let mut courses: Vec<BodyTrajectory<'_>> = rows.map(course).collect();
-    let whole = cost(patch).saturating_mul(each);
+    let whole = cost(patch, &bodies).saturating_mul(each);
     fill_together(py, &mut courses, whole, TOGETHER, |from, piece| {
         let all = from..from + piece.len();
         let limits = bodies.limits(all.clone());

@@ -14,10 +14,9 @@ use tribos_core::twist::{Twist, Wrench};
 pub struct LimitSurface {
     /// The surfaces for every force limit.
     pub sets: Sets,
+    /// Nanoseconds that a projection takes, about.
+    cost: usize,
 }
-
-/// Nanoseconds that a projection takes, about.
-const COST: usize = 500;
 
 impl LimitSurface {
     /// What `of` makes of force limits and the rows that are called `name`, piece by piece.
@@ -36,7 +35,7 @@ impl LimitSurface {
         // A number, not a row of one.
         let shape: &[usize] = if M == 1 { &[] } else { &[M] };
         let mut output = Output::new(py, &batch, shape, out)?;
-        fill(py, output.rows::<M>()?, COST, |from, piece| {
+        fill(py, output.rows::<M>()?, self.cost, |from, piece| {
             let of_piece = from..from + piece.len();
             let limits = limits.rows(of_piece.clone());
             of(limits.as_flattened(), &rows.rows(of_piece), piece).map_err(refused)
@@ -89,13 +88,14 @@ impl LimitSurface {
     #[new]
     fn new(patch: &Patch) -> PyResult<Self> {
         let sets = Sets::new(&patch.0)?;
-        Ok(Self { sets })
+        let cost = if patch.0.is_round() { 150 } else { 1_000 };
+        Ok(Self { sets, cost })
     }
 
     /// The ellipsoids with the same largest force and torque.
     fn ellipsoid(&self) -> PyResult<Self> {
         let sets = self.sets.ellipsoids()?;
-        Ok(Self { sets })
+        Ok(Self { sets, cost: 50 })
     }
 
     /// The largest torque, in N m, for a force limit in N; the kernel's refusal of that limit.
@@ -119,7 +119,7 @@ impl LimitSurface {
         let (forces, limits) = (forces.over(&batch)?, limits.over(&batch)?);
         let (forces, limits) = (forces.view()?, limits.view()?);
         let mut output = Output::new(py, &batch, &[2], out)?;
-        fill(py, output.rows::<2>()?, 10 * COST, |from, piece| {
+        fill(py, output.rows::<2>()?, 10 * self.cost, |from, piece| {
             for (index, row) in (from..).zip(piece) {
                 let [limit] = limits.at(index);
                 let limits = self.sets.0.torque_limits(limit, forces.at(index));

@@ -5,9 +5,7 @@ import pytest
 import tribos
 
 
-@pytest.mark.parametrize(
-    ("tier", "bound"), [("table", 8e-16), ("compact", 1e-14), ("quadrature", 2e-9)]
-)
+@pytest.mark.parametrize(("tier", "bound"), [("exact", 8e-16), ("quadrature", 2e-9)])
 def test_the_disk_is_right_to_its_tier(table, tier: str, bound: float) -> None:
     rows = table("uniform.csv")
     dry = rows["alpha"] == 0.0
@@ -17,6 +15,13 @@ def test_the_disk_is_right_to_its_tier(table, tier: str, bound: float) -> None:
     wrench = disk.wrench(twists, 1.0)
     assert np.abs(wrench[:, 0] / -np.maximum(rows["F"][dry], 1e-300) - 1.0)[slide > 0].max() < bound
     assert np.abs(wrench[:, 2] / -rows["T"][dry] - 1.0).max() < bound
+
+
+@pytest.mark.parametrize("older", ["table", "compact"])
+def test_older_names_mean_the_exact_tier(older: str) -> None:
+    twists = np.random.default_rng(9).normal(size=(20, 3))
+    named, exact = (tribos.Friction(tribos.disk(1.0), mu=1.0, tier=t) for t in (older, "exact"))
+    assert np.array_equal(named.wrench(twists, 1.0), exact.wrench(twists, 1.0))
 
 
 def test_powers_of_the_speed_are_right(table) -> None:

@@ -11,10 +11,7 @@ use tribos_tests::tolerance;
 const SMALLEST: f64 = f64::from_bits(1);
 
 /// Checks every row of hard_twists.csv in every exact tier; fails with all misses by name.
-fn assert_rows(
-    limit: impl Fn(&str) -> f64,
-    checks: impl Fn(&Row, &Tier<f64>) -> Vec<(Reference, f64)>,
-) {
+fn assert_rows(limit: f64, checks: impl Fn(&Row, &Tier<f64>) -> Vec<(Reference, f64)>) {
     let table = Table::read("hard_twists.csv");
     let mut misses = Vec::new();
     for alpha in table.distinct("alpha") {
@@ -24,7 +21,7 @@ fn assert_rows(
                     let error = wanted.relative(got);
                     // A subnormal result half-way between two numbers may be either of them.
                     let is_neighbour = (wanted.high - got).abs() <= SMALLEST;
-                    if error > limit(tier.0) && !is_neighbour {
+                    if error > limit && !is_neighbour {
                         let name = row.text("name");
                         misses.push(format!(
                             "{name}, alpha {alpha}, {}: {got:e} instead of {:e} ({error:.1e})",
@@ -45,8 +42,7 @@ fn assert_rows(
 
 #[test]
 fn every_hard_twist_has_its_force_and_torque() {
-    let limit = |_: &str| tolerance::HARD_WRENCH.limit;
-    assert_rows(limit, |row, (_, tier)| {
+    assert_rows(tolerance::HARD_WRENCH.limit, |row, (_, tier)| {
         let got = tier.reduced_wrench(row.number("v"), row.number("w"));
         vec![
             (row.reference("F"), got.force),
@@ -57,21 +53,18 @@ fn every_hard_twist_has_its_force_and_torque() {
 
 #[test]
 fn every_hard_twist_has_its_derivatives() {
-    assert_rows(
-        |_| tolerance::HARD_JACOBIAN.limit,
-        |row, (_, tier)| {
-            let got = tier.reduced_jacobian(row.number("v"), row.number("w"));
-            let entries = [
-                ("F_v", got.force_slide),
-                ("F_w", got.mixed),
-                ("T_w", got.torque_rim),
-            ];
-            // Blank: beyond the range of f64, on the side of its sign.
-            let overflow = |x: f64| Reference::exact(f64::INFINITY.copysign(x));
-            let reference = |column, x| row.optional(column).unwrap_or(overflow(x));
-            entries
-                .map(|(column, x)| (reference(column, x), x))
-                .to_vec()
-        },
-    );
+    assert_rows(tolerance::HARD_JACOBIAN.limit, |row, (_, tier)| {
+        let got = tier.reduced_jacobian(row.number("v"), row.number("w"));
+        let entries = [
+            ("F_v", got.force_slide),
+            ("F_w", got.mixed),
+            ("T_w", got.torque_rim),
+        ];
+        // Blank: beyond the range of f64, on the side of its sign.
+        let overflow = |x: f64| Reference::exact(f64::INFINITY.copysign(x));
+        let reference = |column, x| row.optional(column).unwrap_or(overflow(x));
+        entries
+            .map(|(column, x)| (reference(column, x), x))
+            .to_vec()
+    });
 }

@@ -72,10 +72,24 @@ fn every_tier_keeps_its_bound_at_every_row() {
             }
         }
     }
-    for ((.., wrench, derivatives), errors) in PROMISED.iter().zip(&errors) {
+    for ((of, _, wrench, derivatives), errors) in PROMISED.iter().zip(&errors) {
         errors.assert_within(wrench, derivatives);
+        for (_, bounds) in FORMS.iter().filter(|(name, _)| name == of) {
+            errors.assert_ulps(bounds);
+        }
     }
 }
+
+/// A fitted form and the bounds of its force and torque.
+const FORMS: [(&str, [Bound; 2]); 4] = {
+    use tolerance::*;
+    [
+        ("form ring", [FORM_FORCE_RING_ULPS, FORM_TORQUE_ENDS_ULPS]),
+        ("form punch", [FORM_FORCE_ULPS, FORM_TORQUE_ULPS]),
+        ("form Hertz", [FORM_FORCE_ULPS, FORM_TORQUE_ULPS]),
+        ("form paraboloid", [FORM_FORCE_ULPS, FORM_TORQUE_ENDS_ULPS]),
+    ]
+};
 
 #[test]
 fn fitted_forms_and_f32_tables_hit_arguments_that_f32_can_hold() {

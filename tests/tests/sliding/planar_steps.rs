@@ -236,3 +236,38 @@ fn a_free_body_stops_within_the_time_that_friction_needs() {
         assert!(now.speed() == 0.0 && Real::abs(now.spin) == 0.0);
     }
 }
+
+#[test]
+fn under_a_load_that_is_none_only_rest_without_push_has_an_answer() {
+    let body = PlanarBody::new(0.17, 1.36e-4).expect("positive");
+    let set = RoundLimitSurface::new(CoulombDisk, LIMIT, RADIUS).expect("valid limits");
+    let dt = TimeStep::new(STEP).expect("positive");
+    let twists = [Twist::ZERO, Twist::ZERO, Twist::new(1.0, 0.0, 3.0)];
+    let pushes = [Wrench::ZERO, Wrench::new(0.1, 0.0, 0.0), Wrench::ZERO];
+    let blank = PlanarStep {
+        twist: Twist::new(7.0, 7.0, 7.0),
+        friction: Wrench::ZERO,
+        is_at_rest: false,
+    };
+    for (load, together) in [(f64::NAN, 3), (f64::NAN, 1), (-1.0, 3), (-1.0, 1)] {
+        let mut steps = [blank; 3];
+        let given = twists.chunks(together).zip(pushes.chunks(together));
+        for ((twists, pushes), steps) in given.zip(steps.chunks_mut(together)) {
+            body.step_batch_under_loads(&set, &[load; 3], twists, pushes, dt, steps);
+        }
+        let [rests, others @ ..] = steps;
+        let is_still = rests.twist == Twist::ZERO && rests.friction == Wrench::ZERO;
+        assert!(rests.is_at_rest && is_still, "{load}: {rests:?}");
+        for PlanarStep {
+            twist,
+            friction,
+            is_at_rest,
+        } in others
+        {
+            let [u, f] = [twist.velocity, friction.force];
+            let numbers = [u.x, u.y, twist.spin, f.x, f.y, friction.torque];
+            let has_none = numbers.iter().all(|x| x.is_nan());
+            assert!(has_none && !is_at_rest, "{load}: {numbers:?}");
+        }
+    }
+}

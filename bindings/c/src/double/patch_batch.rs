@@ -33,8 +33,8 @@ impl<T> Batch<T> {
     ) -> Result<(), tribos_status> {
         let patch = read(self.patch)?;
         let friction = RoundFriction::new(coupling, patch.coefficient, patch.radius)?;
-        let twists = pieces(slice(self.twists, self.count)?);
-        let results = pieces_mut(slice_mut(self.results, self.count)?);
+        let twists = pieces::<CHUNK, _>(slice(self.twists, self.count)?);
+        let results = pieces_mut::<CHUNK, _>(slice_mut(self.results, self.count)?);
         let mut motions = [Twist::ZERO; CHUNK];
         let mut answers = [blank; CHUNK];
         for (twists, results) in twists.zip(results) {

@@ -14,7 +14,7 @@ use tribos_core::limit_surface::{
 };
 use tribos_core::real::Real;
 
-/// The exact limit surface of a uniform disk, by table.
+/// The exact limit surface of a uniform disk.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct tribos_disk_surface_f64 {

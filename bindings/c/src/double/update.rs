@@ -1,8 +1,8 @@
 //! One update of a prepared contact: the impulse that satisfies its laws with all other contacts fixed.
 //!
 //! Impulse and bodies are changed in place. Modes without friction have no impulse. The solution
-//! is in closed form, unless sliding and rolling are coupled and both slip (at most 96 iterations) or
-//! friction is that of a patch (searches on its limit surface).
+//! is in closed form, unless sliding and rolling are coupled and both slip (at most 24 Newton steps, then
+//! halvings) or friction is that of a patch (searches on its limit surface).
 
 use super::contact::{
     AsBody, tribos_contact_f64, tribos_impulse_f64, tribos_plate_f64, tribos_sphere_f64,

@@ -5,6 +5,8 @@ use std::{env, fs};
 
 use cbindgen::{Builder, Config, DocumentationStyle, EnumConfig, Language, RenameRule, Style};
 
+include!("../../modules.rs");
+
 /// Path of the committed header.
 fn header() -> PathBuf {
     at("include/tribos.h")
@@ -41,21 +43,7 @@ fn generated() -> String {
     for common in ["choice", "status", "table"] {
         builder = builder.with_src(at(&format!("src/{common}.rs")));
     }
-    for double in [
-        "vectors",
-        "law",
-        "patch",
-        "patch_batch",
-        "nodes",
-        "surface",
-        "polygon",
-        "patch_surface",
-        "slider",
-        "planar",
-        "batch",
-        "contact",
-        "update",
-    ] {
+    for double in MODULES {
         builder = builder.with_src(at(&format!("src/double/{double}.rs")));
     }
     let single = concat!(env!("OUT_DIR"), "/single.rs");

@@ -17,6 +17,9 @@ use tribos_c::double::vectors::*;
 use tribos_c::status::{tribos_status, tribos_status_text};
 use tribos_c::table::tribos_power_compact_f64;
 
+/// Functions that refuse numbers that are all 1 before they come to a null pointer: they make no table, edges or feet.
+const REFUSE_ONES: [&str; 3] = ["_power_", "_polygon_", "_nodes_"];
+
 /// Calls of one function with null for each of its pointers in turn and for all of them; the other pointers
 /// point to numbers that are all 1.
 fn calls(prototype: &str) -> String {
@@ -27,29 +30,31 @@ fn calls(prototype: &str) -> String {
     } else {
         "floats"
     };
-    let is_pointer: Vec<_> = arguments.split(',').map(|a| a.contains('*')).collect();
+    let arguments: Vec<_> = arguments.split(',').collect();
     let call = |is_null: &dyn Fn(usize) -> bool| {
-        let values = is_pointer
-            .iter()
-            .enumerate()
-            .map(|(i, &pointer)| match pointer {
-                true if is_null(i) => "0",
-                true => ones,
-                false => "1",
-            });
-        format!("{name}({})", values.collect::<Vec<_>>().join(", "))
+        let value = |(i, argument): (usize, &&str)| match argument.contains('*') {
+            true if is_null(i) => "0",
+            true => ones,
+            false if argument.contains("inner_ratio") => "0.5",
+            false => "1",
+        };
+        let values: Vec<_> = arguments.iter().enumerate().map(value).collect();
+        format!("{name}({})", values.join(", "))
+    };
+    let refused = if REFUSE_ONES.iter().any(|part| name.contains(part)) {
+        "!= TRIBOS_STATUS_OK"
+    } else {
+        "== TRIBOS_STATUS_NULL_POINTER"
     };
     let mut text = format!(
         "    check(\"{name}\", {} == TRIBOS_STATUS_NULL_POINTER);\n",
         call(&|_| true)
     );
-    for (null, _) in is_pointer
-        .iter()
-        .enumerate()
-        .filter(|(_, pointer)| **pointer)
-    {
-        let one = call(&|i| i == null);
-        let _ = writeln!(text, "    check(\"{name}\", {one} != TRIBOS_STATUS_OK);");
+    for (null, argument) in arguments.iter().enumerate() {
+        if argument.contains('*') {
+            let one = call(&|i| i == null);
+            let _ = writeln!(text, "    check(\"{name}\", {one} {refused});");
+        }
     }
     text
 }

@@ -66,8 +66,8 @@ class PlanarBody:
     side, and 2 to 4 µs on a box or four points, on one thread, and a call of its own 3 µs more;
     `rollout` makes one call of many steps.
 
-    Only the product ``mu * load`` matters: an array of loads also varies the coefficient, at the same
-    cost.
+    Only the product ``mu * load`` matters: an array of loads also varies the coefficient, on round
+    patches at the same cost.
 
     Examples
     --------
