@@ -16,6 +16,6 @@ pub mod scene {
     pub use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene, SideBoundary};
     pub use crate::packing::method::{ContactMethod, FrictionCoupling, NormalForce, WallLaw};
     pub use crate::powder::scene::{
-        BlockedCriterion, PowderScene, SweepMethod, SweepOrder, SweepStop, WarmStart,
+        BlockedCriterion, PowderScene, SweepMethod, SweepOrder, SweepStop,
     };
 }

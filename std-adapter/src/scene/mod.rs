@@ -45,7 +45,7 @@ pub use tribos_grains::packing::{SettingError, SizeDistribution};
 pub use tribos_grains::scene::{
     Axis, BlockedCriterion, ContactMethod, Container, EndBoundary, FrictionCoupling, GasMethod,
     GasScene, GrainsScene, NormalForce, PowderScene, SideBoundary, SweepMethod, SweepOrder,
-    SweepStop, WallLaw, WarmStart,
+    SweepStop, WallLaw,
 };
 pub use tribos_motion::scene::*;
 #[doc(hidden)]

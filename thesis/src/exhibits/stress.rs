@@ -6,7 +6,6 @@ use crate::runs::{Case, Effort, Run, Runs, System};
 use crate::text::Text;
 use anyhow::Result;
 use tribos::powder::PowderStopReason;
-use tribos::scene::WarmStart;
 use tribos_report::claim::{Claim, MismatchMeaning};
 use tribos_report::figure::{Axis, Figure, Legend, ReferenceLine, Series};
 use tribos_report::verdict::Allowance;
@@ -192,7 +191,7 @@ fn choice_claims(runs: &Runs) -> Result<Vec<Claim>> {
     )];
     if runs.effort() == Effort::Full {
         let cold =
-            runs.one(&usual.with("warm_start=off", |scene| scene.warm_start = WarmStart(0.0)))?;
+            runs.one(&usual.with("warm_start=off", |scene| scene.warm_start = 0.0.into()))?;
         let apart = cold.outcome.porosity_final - warm.outcome.porosity_final;
         let overlap = cold.outcome.max_overlap;
         claims.push(Claim::own_statement(

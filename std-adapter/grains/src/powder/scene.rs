@@ -62,7 +62,13 @@ words!(SweepStop { Global = "global", Local = "local", Fixed = "fixed" });
 ///
 /// In files also "on", which is 1, and "off", which is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WarmStart(pub f64);
+pub struct WarmStart(f64);
+
+impl From<f64> for WarmStart {
+    fn from(share: f64) -> Self {
+        Self(share)
+    }
+}
 
 const WARM_START: Domain = Domain::Form(&Form {
     name: "share",
@@ -199,6 +205,7 @@ scene! {
     // A bound for steps in which the tolerance is out of reach.
     max_iterations was sweeps: usize = 1000, "-", Count { from: 1.0, up_to: 1e6 }, PartOf("method", "contact-dynamics");
     /// Share of the last step's forces that a step starts from; "on" is 1, "off" is 0.
+    // A number with `into`.
     warm_start: WarmStart = WarmStart(1.0), "-", WARM_START, PartOf("method", "contact-dynamics");
     /// Largest distance that a sphere may move in a step; soft contacts divide it into stable ones.
     // A twentieth of a radius keeps the angle by which a normal turns in a step small.

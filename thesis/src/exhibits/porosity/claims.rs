@@ -4,7 +4,7 @@ use super::{Porosities, TEXT, grid};
 use crate::runs::{Case, Runs, System};
 use anyhow::Result;
 use tribos::powder::PowderStopReason;
-use tribos::scene::{BlockedCriterion, SweepMethod, SweepStop, WallLaw, WarmStart};
+use tribos::scene::{BlockedCriterion, SweepMethod, SweepStop, WallLaw};
 use tribos::statistics::statistics;
 use tribos_report::claim::{Claim, MismatchMeaning};
 use tribos_report::verdict::Allowance;
@@ -34,7 +34,7 @@ pub fn few_sweeps(friction: [f64; 2]) -> Case {
         scene.solver = SweepMethod::GaussSeidel;
         scene.stop_rule = SweepStop::Fixed;
         scene.max_iterations = 20;
-        scene.warm_start = WarmStart(0.0);
+        scene.warm_start = 0.0.into();
         scene.blocked_criterion = BlockedCriterion::Piston;
         scene.max_steps = 4000;
     })
