@@ -261,7 +261,7 @@ impl<R: Real, P: PatchShape<R>> ShapeFriction<R, P> {
     #[inline]
     pub fn wrench(&self, load: R, twist: &Twist<R>) -> Wrench<R> {
         match Motion::new(&self.patch, twist) {
-            Ok(motion) => self.at_origin(load, &self.patch.reduced(&motion)),
+            Ok((motion, _)) => self.at_origin(load, &self.patch.reduced(&motion)),
             Err(unmoved) => Wrench::new(unmoved, unmoved, unmoved),
         }
     }
@@ -289,9 +289,9 @@ impl<R: Real, P: PatchShape<R>> ShapeFriction<R, P> {
     /// ```
     pub fn wrench_and_jacobian(&self, load: R, twist: &Twist<R>) -> (Wrench<R>, WrenchJacobian<R>) {
         match Motion::new(&self.patch, twist) {
-            Ok(motion) => {
+            Ok((motion, unit)) => {
                 let (reduced, hessian) = self.patch.reduced_with_hessian(&motion);
-                let hessian = hessian.scaled(Motion::unit(&self.patch, twist));
+                let hessian = hessian.scaled(unit);
                 (
                     self.at_origin(load, &reduced),
                     self.jacobian_at_origin(load, &hessian),
