@@ -48,7 +48,7 @@ macro_rules! fitted {
             const SLOPE: Terms<6, 12> = $slope;
             #[inline(always)]
             fn torque_sums<L: Numbers<Real: Real>>(slides: L::Mask, argument: L) -> [L; 4] {
-                $torque.sums::<Self, L>(slides, argument)
+                $torque.sums(slides, argument)
             }
         }
 
@@ -210,14 +210,8 @@ fitted!(
     CoulombRing,
     RING,
     Terms {
-        single: [
-            &terms::RING_SPINNING_TORQUE_F32,
-            &terms::RING_SLIDING_TORQUE_F32
-        ],
-        double: [
-            &terms::RING_SPINNING_TORQUE_F64,
-            &terms::RING_SLIDING_TORQUE_F64
-        ],
+        single: [&terms::RING_SPINNING_TORQUE_F32; 2],
+        double: [&terms::RING_SPINNING_TORQUE_F64; 2],
     },
     Terms {
         single: [
