@@ -23,7 +23,8 @@ use crate::special::legendre::FEW_HALF;
 const HALVES: f64 = 134_217_729.0;
 const HALVES_SINGLE: f64 = 4_097.0;
 
-/// The scalar product to rounding of itself, however much of its terms cancels.
+/// The scalar product in twice the digits, rounded once at the end: Dot2 of Ogita, Rump, Oishi 2005 (SIAM J. Sci.
+/// Comput. 26, 1955) without what rounding takes from the one sum, which counts where the terms do not cancel.
 #[inline(always)]
 pub(super) fn sharp<L: Summed<Real: Real>>(a: [L; 2], b: [L; 2]) -> L {
     let (first, second) = (a[0] * b[0], a[1] * b[1]);
