@@ -147,7 +147,7 @@ fn power_of_two(exponent: i32) -> f64 {
 fn speeds_at_the_ends_of_the_range_scale_the_friction() {
     hold(
         "ends of the range",
-        284,
+        303,
         |_| Some([tolerance::UNITS, tolerance::UNITS_JACOBIAN]),
         |case, _, see| {
             let alpha = case.law.alpha();
