@@ -40,7 +40,8 @@
 //!
 //! where W₁ is W for the pressure 1, and W₁″ its rest over w.
 //!
-//! Pressure that is steep across a thin patch takes the area integrals P, P″ and B from [`super::steep_layer`].
+//! Pressure that is steep, as it is across a thin patch, takes the area integrals P, P″ and B from
+//! [`super::steep_layer`] where the centre of rotation is away from the patch.
 
 use super::motion::Motion;
 use super::moving_edge::{MovingEdge, Sides, UnitMotion, splat};
