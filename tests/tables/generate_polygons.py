@@ -33,6 +33,8 @@ SHAPES = {
               (7.75, 2), (7, 2.75), (5.5, 3), (4, 2.25), (2, 2), (0.75, 2.125)]],
     "sliver": [[(-5, -0.005), (5, -0.005), (5, 0.005), (-5, 0.005)]],
 }
+# For steep pressure alone: a bar with a stem, on which the pressure grows to eight times the mean.
+TEE = {"tee": [[(-1, 0), (1, 0), (1, 0.2), (0.05, 0.2), (0, 1.2), (-0.05, 0.2), (-1, 0.2)]]}
 
 
 def edges(loops):
@@ -262,6 +264,13 @@ def rows(per_shape):
             spin, share = rng.choice([-1, 1]) * 2.0 ** rng.randrange(-3, 4), rng.uniform(0.5, 1)
             across = rng.choice([-1, 1]) * 0.99 * share / half
             yield name, loops, (spin * y, -spin * x, spin), (0.15 * (1 - share), across)
+    # The same across the bar of a T, half of the centres on the stem and beyond its end.
+    for name, loops in TEE.items():
+        rng, (_, _, middle, _) = random.Random(name + ", steep"), geometry(loops)
+        beyond = [(rng.uniform(-0.2, 0.2), rng.uniform(0.8, 2.2)) for _ in range(24)]
+        for x, y in [*centres(loops, rng, 24), *beyond]:
+            spin, share = rng.choice([-1, 1]) * 2.0 ** rng.randrange(-3, 4), rng.uniform(0.9, 1)
+            yield name, loops, (spin * y, -spin * x, spin), (0.5 * (1 - share), 0.99 * share / float(middle))
 
 
 HEADER = "shape,slope_x,slope_y,velocity_x,velocity_y,spin,force_x,force_y,torque,xx,xy,yy,xn,yn,nn"
@@ -334,7 +343,7 @@ def fit(terms):
 def shapes():
     print("# Corners of the polygons of polygons.csv: generate_polygons.py shapes")
     print("shape,loop,x,y")
-    for name, loops in SHAPES.items():
+    for name, loops in (SHAPES | TEE).items():
         for number, loop in enumerate(loops):
             for x, y in loop:
                 print(f"{name},{number},{float(x)!r},{float(y)!r}")

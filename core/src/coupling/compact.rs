@@ -1,4 +1,4 @@
-//! Any exponent by its power series: no table, tens of ulp, slow.
+//! Any exponent by its power series: no table, 1e-14, slow.
 
 use super::family_member::FamilyMember;
 use super::half_octave_table::Pair;

@@ -124,7 +124,7 @@ impl<R: Real, C: ReducedFriction<R>> RoundFriction<R, C> {
     /// The wrench on the patch, against its twist.
     ///
     /// *Accuracy*: 3 ulp more than that of the coupling at speeds right to 2 ulp. *Cost*: for speeds from 1e-140 to 1e140
-    /// (f32: 1e-15 to 1e15) one root and one division beside the coupling.
+    /// (f32: 1e-15 to 1e15) that of the coupling from v² and w, without another root or division.
     #[inline]
     pub fn wrench(&self, load: R, twist: &Twist<R>) -> Wrench<R> {
         let [x, y] = [twist.velocity.x, twist.velocity.y];

@@ -6,7 +6,7 @@
 //! |---|---|---|---|
 //! | Coulomb | [`coulomb::CoulombDisk`] | [`coulomb`], five pressures | a few ulp |
 //! | \|v\|^α, α ≤ 10 | [`table::DiskTable64`], [`table::DiskTable32`] | [`round::RoundTable64`], [`round::RoundTable32`] | a few ulp |
-//! | \|v\|^α, α ≤ 128 | [`compact::CompactPower`] | [`compact::CompactPower::with_pressure`] | tens of ulp, slow |
+//! | \|v\|^α, α ≤ 128 | [`compact::CompactPower`] | [`compact::CompactPower::with_pressure`] | 1e-14, slow |
 //! | any local law | [`quadrature::DiskQuadrature`] | [`nodes::NodeFriction`] | 1e-8, nodes 1e-3 |
 //!
 //! An [`Annulus`] is made of any disk, a polynomial in r² is a [`round::PolynomialTable`], and points or a pressure
@@ -15,9 +15,9 @@
 //! Polygons, bars and meshes under Coulomb's law have closed forms, a few ulp without a table: [`flat`]; polygons
 //! under |v|^α need 127 prepared numbers.
 //!
-//! Coulomb's forms are code and 0.4 to 0.8 KiB of numbers (f32: 100 to 200 bytes). Tables take 14 KiB a law on the
-//! uniform disk and 48 KiB elsewhere (f32: 3 and 7 KiB) and the same time for every pressure and exponent; the
-//! series is code only, 150 times as slow.
+//! Coulomb's forms are code and 0.4 to 0.8 KiB of numbers, and as many again where Jacobians are asked for (f32: 100 to
+//! 200 bytes). Tables take 14 KiB a law on the uniform disk and 48 KiB elsewhere (f32: 3 and 7 KiB) and the same time for
+//! every pressure and exponent; the series is code only, 4 times as slow, next to equal speeds 100 times.
 //!
 //! [`RoundFriction`] adds radius and coefficient. A pressure that leans makes spinning friction
 //! lateral ([`LateralFriction`]); [`load_transfer::LoadTransferFriction`] finds the lean of a tall body. A tier that a program

@@ -52,8 +52,8 @@ pub(crate) fn even_and_odd<V: Copy + Add<Output = V> + Mul<Output = V>, const TE
 
 /// A number, or several numbers side by side that are computed independently.
 ///
-/// `f32` and `f64` are one lane; `wide::f32x4` and `wide::f32x8` are four and eight where the target
-/// has vectors. An engine with vectors of its own implements it for them: its results have
+/// `f32` and `f64` are one lane; `wide::f32x4` and `wide::f64x4` are four, `wide::f32x8` and `wide::f64x8` eight, where
+/// the target has vectors. An engine with vectors of its own implements it for them: its results have
 /// the bits of the scalar ones if its operations round to nearest and are not contracted.
 ///
 /// Comparisons with NaN are false.

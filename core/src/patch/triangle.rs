@@ -123,7 +123,7 @@ impl<R: Real> Triangle<R> {
     pub(crate) fn load_of_cones(&self) -> R {
         let ([p, q, r], [x, y]) = (self.pressures, self.slope());
         let mean = R::from_f64(1.0 / 3.0) * (p + q + r);
-        self.size_sq * (mean + ((x * x + y * y) * self.size_sq).sqrt())
+        self.size_sq * (mean + x.hypot(y) * self.size_sq.sqrt())
     }
 
     /// Its pressure about the mesh's centre.
@@ -164,4 +164,29 @@ impl<R: Real> Triangle<R> {
 /// a × b
 pub(super) fn cross<R: Real>(a: &Vector2<R>, b: &Vector2<R>) -> R {
     a.x * b.y - a.y * b.x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Half of a square under the load 1, without pressure at one corner.
+    fn load_of_cones<R: Real>(side: R) -> f64 {
+        let (none, most) = (R::ZERO, R::from_f64(3.0) / (side * side));
+        let sides = [Vector2::new(side, none), Vector2::new(none, side)];
+        let half = Triangle::new(Vector2::new(none, none), sides, [none, most, most]);
+        half.load_of_cones().to_f64()
+    }
+
+    #[test]
+    fn slopes_whose_squares_overflow_count_as_those_of_a_larger_triangle() {
+        let expected = (10.0 + 5.0 * libm::sqrt(10.0)) / 9.0;
+        for found in [
+            load_of_cones(1.0_f64),
+            load_of_cones(1e-100_f64),
+            load_of_cones(1e-12_f32),
+        ] {
+            assert!((found / expected - 1.0).abs() < 1e-6, "{found}");
+        }
+    }
 }

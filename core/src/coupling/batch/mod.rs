@@ -1,8 +1,8 @@
 //! Many speeds under one coupling, in groups of eight: side by side where the processor has vectors.
 //!
 //! The scalar functions are the definition. Where the target has vectors whose roots and quotients
-//! round as the scalar ones do, a table computes a group of ordinary speeds in lanes, to the same
-//! bits; a group with a lane out of the ordinary goes to the scalar function as a whole, and so does
+//! round as the scalar ones do, a fitted form or a table computes a group of ordinary speeds in lanes, to the
+//! same bits; a group with a lane out of the ordinary goes to the scalar function as a whole, and so does
 //! every group elsewhere.
 
 #[cfg(any(

@@ -23,15 +23,20 @@ pub(crate) trait Fitted: Copy {
     /// Φ and Φ'.
     const SLOPE: Terms<6, 12>;
 
-    /// Sums of Φ and Χ, or Θ where one function serves both sides.
+    /// Sums of Φ and Χ where spinning leads and, unless the pressure is mirrored, where sliding does; Θ in the place
+    /// of Χ where one function serves both sides.
     fn torque_sums<L: Numbers<Real: Real>>(slides: L::Mask, argument: L) -> [L; 4];
 
     /// One function serves both sides.
     const IS_ONE_SIDED: bool = Self::PRESSURE.order() == 0.0;
     /// q is not whole: powers of √z stand in for the logarithm.
     const HAS_ROOTS: bool = Self::PRESSURE.order() % 1.0 != 0.0;
-    /// k + 1, the power of z in the singular part of Φ'.
+    /// The power of z that multiplies ln z in the singular part of Φ': q + 1 for whole q.
     const SLOPE_POWER: u32 = (Self::PRESSURE.order() + 1.0) as u32;
+    /// Φ' is infinite at z = 0, as a ring's is.
+    const IS_ENDLESS: bool = !Self::HAS_ROOTS && Self::SLOPE_POWER == 0;
+    /// Sliding and spinning change places with Φ and Χ, as for a ring.
+    const IS_MIRRORED: bool = Self::PRESSURE.order() == -1.0;
 }
 
 /// q of the pressure.
@@ -68,11 +73,12 @@ impl<const SINGLE: usize, const DOUBLE: usize> Terms<SINGLE, DOUBLE> {
         R::in_own::<Alone<SINGLE, DOUBLE>>((self, slides, u))
     }
 
-    /// The four sums. Numbers side by side that share their terms are computed together, else each with its own.
+    /// The four sums. Numbers side by side are computed together where both sides have the same terms, else each with
+    /// its own.
     #[inline(always)]
-    pub(super) fn sums<F: Fitted, L: Numbers<Real: Real>>(self, slides: L::Mask, u: L) -> [L; 4] {
-        let arguments = u.to_array();
-        if F::IS_ONE_SIDED && arguments.as_ref().len() > 1 {
+    pub(super) fn sums<L: Numbers<Real: Real>>(self, slides: L::Mask, u: L) -> [L; 4] {
+        let (arguments, [spinning, sliding]) = (u.to_array(), self.double);
+        if core::ptr::eq(spinning, sliding) && arguments.as_ref().len() > 1 {
             return if L::Real::IS_SINGLE {
                 abreast::<L, SINGLE>(|n, sum| f64::from(self.single[0][n][sum]), u)
             } else {
@@ -129,13 +135,16 @@ pub(crate) fn force_and_torque<F: Fitted, L: Numbers<Real: Real>>(slides: L::Mas
         let turns = L::select(slides, L::splat(0.0), z);
         return [phi, chi + turns * (inv_moment::<F, L>() * phi - chi)];
     }
+    if F::IS_MIRRORED {
+        return [L::select(slides, chi, phi), L::select(slides, phi, chi)];
+    }
     [phi, chi]
 }
 
 /// Φ and Φ' at z in [0, 1]; a ring's Φ' is infinite at z = 0. NaN for NaN.
 #[inline(always)]
 pub(super) fn force_and_slope<F: Fitted, L: Numbers<Real: Real>>(slides: L::Mask, z: L) -> [L; 2] {
-    joined::<F, L>(z, |argument| F::SLOPE.sums::<F, L>(slides, argument))
+    joined::<F, L>(z, |argument| F::SLOPE.sums(slides, argument))
 }
 
 /// The disk's Φ and Φ' in half of the digits of f64.
@@ -150,10 +159,9 @@ pub(super) fn rough_force_and_slope<F: Fitted, L: Numbers<Real: Real>>(z: L) -> 
 fn joined<F: Fitted, L: Numbers<Real: Real>>(z: L, sums: impl Fn(L) -> [L; 4]) -> [L; 2] {
     let [argument, hook, slope_hook] = argument_and_hooks::<F, L>(z);
     // The slope of a ring grows without bound: what multiplies ln z ends exactly.
-    let is_endless = !F::HAS_ROOTS && F::SLOPE_POWER == 0;
-    let [p, r, q, s] = sums(if is_endless { z } else { argument });
+    let [p, r, q, s] = sums(if F::IS_ENDLESS { z } else { argument });
     let (phi, slope) = (p + hook * q, r + slope_hook * s);
-    if !is_endless {
+    if !F::IS_ENDLESS {
         return [phi, slope];
     }
     let none = L::splat(0.0);

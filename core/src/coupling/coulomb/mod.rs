@@ -16,13 +16,15 @@
 //! Φ, Χ, Φ' = P(u²) + u Q(u²),                                             u = √z − 1/2         half q
 //! ```
 //!
-//! are fitted so that the sums count and not each part: few terms serve the whole range, and little cancels. The disk has one
+//! are fitted so that the sums count and not each part: few terms serve the whole range, and little cancels. Where a ring's
+//! Φ' is needed its Φ and Φ' have u = z, so that what multiplies ln z ends exactly. The disk has one
 //! Φ for both sides, and Θ = Χ where sliding leads; where spinning does, Χ = Θ + z (Φ/n − Θ). z comes from the squares of
 //! the speeds where those are known.
 //!
 //! *Accuracy*: force 4 ulp (ring 9), torque 5 ulp (ring and paraboloid 7) in f64; 5 ulp in f32. Jacobian 3e-15 (f32: 6e-6)
-//! of the larger of the entry and F/v, also next to equal speeds, where a ring's entries grow without bound. *Cost*: a root,
-//! two divisions and about 115 other operations (f32: 75), for whole q; two roots and a division for half q.
+//! of the larger of the entry and F/v, also next to equal speeds, where a ring's entries grow without bound. *Cost* for whole
+//! q: a root, two divisions and about 115 other operations (f32: 75) from v² and w, as [`super::RoundFriction`] has them;
+//! four divisions and no root from v and w. For half q: two roots and a division; three divisions and a root.
 
 use super::DryReducedFriction;
 use super::pressure_family;
@@ -48,7 +50,7 @@ macro_rules! fitted {
             const SLOPE: Terms<6, 12> = $slope;
             #[inline(always)]
             fn torque_sums<L: Numbers<Real: Real>>(slides: L::Mask, argument: L) -> [L; 4] {
-                $torque.sums::<Self, L>(slides, argument)
+                $torque.sums(slides, argument)
             }
         }
 
@@ -210,14 +212,8 @@ fitted!(
     CoulombRing,
     RING,
     Terms {
-        single: [
-            &terms::RING_SPINNING_TORQUE_F32,
-            &terms::RING_SLIDING_TORQUE_F32
-        ],
-        double: [
-            &terms::RING_SPINNING_TORQUE_F64,
-            &terms::RING_SLIDING_TORQUE_F64
-        ],
+        single: [&terms::RING_SPINNING_TORQUE_F32; 2],
+        double: [&terms::RING_SPINNING_TORQUE_F64; 2],
     },
     Terms {
         single: [

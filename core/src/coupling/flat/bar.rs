@@ -95,7 +95,7 @@ fn sliding<R: Real>(bar: &Bar<R>, slide: &TranslatingMotion<'_, R>) -> Reduced<R
     let spin = slide.spin;
     let at = |at| slid(Pair2::of(spin), at);
     let [missing, across, torque] = mean(bar, slide, at, FOR_WRENCH);
-    slide.reduced_of([missing, across, torque], R::ONE)
+    slide.reduced_of([missing, across, torque])
 }
 
 fn bent<R: Real>(bar: &Bar<R>, slide: &TranslatingMotion<'_, R>) -> Hessian<R> {

@@ -58,7 +58,7 @@ pub(super) fn about_centre<R: Real, const WITH_HESSIAN: bool>(
 
 /// The share of one cone.
 #[inline(always)]
-pub(super) fn over_edge<R: Real, const WITH_HESSIAN: bool>(
+fn over_edge<R: Real, const WITH_HESSIAN: bool>(
     seen: &EdgeFromPole<R>,
     tangent: &Vector2<R>,
     [here, base, rate]: [R; 3],

@@ -40,7 +40,8 @@
 //!
 //! where W₁ is W for the pressure 1, and W₁″ its rest over w.
 //!
-//! Pressure that is steep across a thin patch takes the area integrals P, P″ and B from [`super::steep_layer`].
+//! Pressure that is steep, as it is across a thin patch, takes the area integrals P, P″ and B from
+//! [`super::steep_layer`] where the centre of rotation is away from the patch.
 
 use super::motion::Motion;
 use super::moving_edge::{MovingEdge, Sides, UnitMotion, splat};
@@ -52,11 +53,13 @@ use crate::patch::outline::{Edge, PressureField};
 use crate::real::Real;
 use nalgebra::Vector2;
 
-/// Slope, of the mean pressure over the radius, from which on a patch is a layer: pressure is nowhere negative,
-/// so that all of it lies within half a radius.
+/// Slope, of the mean pressure over the radius, from which on sums over long edges may cancel as they do on a thin patch.
 const STEEP: f64 = 4.0;
-/// Mean pressures at the centre of rotation up to which it is close: some widths of the layer away.
-const CLOSE: f64 = 8.0;
+/// Pressure at the centre of rotation, of the largest one on the patch, up to which it is close: the sums over edges lose
+/// little. The layer's rule needs a distance: among 12,000 motions of strips, wedges, L and T it errs by 2e-11 from 1 on,
+/// 3e-14 from 1.25 on, and by no more than rounding from 1.5 on; at 4 its ellipse of convergence leaves 1e-18.
+const CLOSE: f64 = 4.0;
+
 /// A weight along an edge: that of its middle, and the change from end to end.
 pub(super) struct Weight<L> {
     middle: L,
@@ -394,7 +397,7 @@ impl<'a, R: Real> Loaded<'a, R> {
         let UnitMotion { x, y, spin: w } = self.motion;
         // Pressure at the centre of rotation times the spin.
         let there = self.at_centre * w + (self.slope[1] * x - self.slope[0] * y);
-        if self.is_steep && there.abs() > R::from_f64(CLOSE) * w.abs() {
+        if self.is_steep && there.abs() > R::from_f64(CLOSE) * self.largest_pressure() * w.abs() {
             return self.over_layer::<R::Several, WITH_HESSIAN>();
         }
         let [.., first, second] = sums;
@@ -405,6 +408,19 @@ impl<'a, R: Real> Loaded<'a, R> {
             rest: (second + w * p) / (three + w * w),
             slope,
         }
+    }
+
+    /// The largest pressure on the patch, which is that of a corner.
+    fn largest_pressure(&self) -> R {
+        let mut largest = R::ZERO;
+        for edge in self.edges {
+            let corner = edge.start();
+            let above = self.slope[0] * corner.x + self.slope[1] * corner.y;
+            if self.at_centre + above > largest {
+                largest = self.at_centre + above;
+            }
+        }
+        largest
     }
 
     /// Reduced friction, f and v·f″.

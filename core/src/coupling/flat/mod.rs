@@ -72,7 +72,7 @@ pub struct PointLoad<R: Real> {
 
 /// A patch of any shape under dry friction: its dissipated power and the derivatives of that.
 ///
-/// Implemented by the patches with straight edges of [`crate::patch::outline`] by meshes
+/// Implemented by the patches with straight edges of [`crate::patch::outline`], by meshes
 /// ([`crate::patch::mesh`]), points ([`crate::patch::points`]) and bodies on several of them
 /// ([`crate::patch::feet`]).
 pub trait PatchShape<R: Real> {
@@ -210,11 +210,11 @@ impl<R: Real> Hessian<R> {
 /// *Units*: any consistent set; twist and wrench refer to the origin of the patch's coordinates.
 /// *Domain*: load · μ · radius and spin · radius are zero or normal numbers. *Accuracy*, of μN and
 /// μN R about the centre of pressure, for patches and walls up to 10 times as long as wide: 6e-15 (up to 4
-/// times: 1e-15), under linear pressure 8e-15, bars and points 2e-14 (f32: 2.5e-6, linear pressure 4e-6); one that
+/// times: 3e-15), under linear pressure 8e-15, bars and points 2e-14 (f32: 2.5e-6, linear pressure 4e-6); one that
 /// is longer loses its aspect ratio. The torque of a patch that hardly turns has that error times its rim speed over
 /// its speed.
-/// *Cost*: an edge takes two roots, a logarithm and five quotients; where linear pressure is steep across a thin
-/// patch and the centre of rotation is away from it, 9 times as much.
+/// *Cost*: an edge takes two roots, a logarithm and five quotients, under linear pressure 1.4 times as much; where that
+/// is steep across a thin patch 6 times, and 10 times with the centre of rotation away from it.
 /// *Special values*: zero at rest; NaN for infinite and NaN twists.
 ///
 /// ```
@@ -261,7 +261,7 @@ impl<R: Real, P: PatchShape<R>> ShapeFriction<R, P> {
     #[inline]
     pub fn wrench(&self, load: R, twist: &Twist<R>) -> Wrench<R> {
         match Motion::new(&self.patch, twist) {
-            Ok(motion) => self.at_origin(load, &self.patch.reduced(&motion)),
+            Ok((motion, _)) => self.at_origin(load, &self.patch.reduced(&motion)),
             Err(unmoved) => Wrench::new(unmoved, unmoved, unmoved),
         }
     }
@@ -289,9 +289,9 @@ impl<R: Real, P: PatchShape<R>> ShapeFriction<R, P> {
     /// ```
     pub fn wrench_and_jacobian(&self, load: R, twist: &Twist<R>) -> (Wrench<R>, WrenchJacobian<R>) {
         match Motion::new(&self.patch, twist) {
-            Ok(motion) => {
+            Ok((motion, unit)) => {
                 let (reduced, hessian) = self.patch.reduced_with_hessian(&motion);
-                let hessian = hessian.scaled(Motion::unit(&self.patch, twist));
+                let hessian = hessian.scaled(unit);
                 (
                     self.at_origin(load, &reduced),
                     self.jacobian_at_origin(load, &hessian),

@@ -191,11 +191,11 @@ impl<R: Real> TranslatingMotion<'_, R> {
         by_rule(&sums, reach, FOR_WRENCH)
     }
 
-    /// Friction from such integrals over the whole patch, given that of the pressure.
+    /// Friction from such integrals over the whole patch, whose load is 1.
     #[inline(always)]
-    pub(super) fn reduced_of(&self, [missing, across, torque]: [R; 3], load: R) -> Reduced<R> {
+    pub(super) fn reduced_of(&self, [missing, across, torque]: [R; 3]) -> Reduced<R> {
         let (e, spin) = (self.direction, self.spin);
-        let along = spin * spin * missing - load;
+        let along = spin * spin * missing - R::ONE;
         let across = -(spin * spin * across);
         Reduced {
             force: Vector2::new(along * e.x - across * e.y, along * e.y + across * e.x),

@@ -109,7 +109,7 @@ impl<R: Real> WrenchSums<R> {
         let [missing, across, torque, yy, yn, nn] = sums.map(Pair2::sum);
         let hessian = slide.hessian_of([yy, yn, nn]);
         (
-            slide.reduced_of([missing, across, torque], R::ONE),
+            slide.reduced_of([missing, across, torque]),
             hessian.scaled(R::ONE / speed),
         )
     }

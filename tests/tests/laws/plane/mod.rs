@@ -145,11 +145,15 @@ fn outlined(is_sliver: bool, lean: Option<[f64; 2]>) -> Vec<(String, Shape)> {
     kept.map(with_lean).collect()
 }
 
-/// A strip whose pressure is twice the mean at one of its long edges and almost nothing at the other one.
+/// Patches whose pressure is almost nothing at one long edge: on a strip it is twice the mean at the other one, on the
+/// stem of a T eight times.
 fn layer() -> Vec<(String, Shape)> {
-    let mut across = outlined(false, Some([0.05, 9.5]));
-    across.retain(|(name, _)| name == "plank");
-    across
+    let across = |name, lean| {
+        let mut across = outlined(false, Some(lean));
+        across.retain(|(of, _)| of == name);
+        across
+    };
+    [across("plank", [0.05, 9.5]), across("tee", [0.01, 7.0])].concat()
 }
 
 /// Needles, and triangles that are much smaller than their mesh but carry a good part of its load, are uneven.
@@ -316,7 +320,7 @@ impl<'a> Case<'a> {
 const LEAST_CLEARANCE: f64 = 0.01;
 
 /// Patches under the laws of their families.
-const ALL: usize = 376;
+const ALL: usize = 401;
 
 /// Visits every patch under every law of its family, with a random stream; what `check` reports as errors
 /// of the wrench and of the Jacobian must stay within `bounds` of the family, where there are any. `cases`

@@ -23,7 +23,7 @@ impl<R: Real, F: Fitted + SmoothProfile<R>> LaneProfile<R> for F {
     fn factors_and_slopes(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 3]> {
         let z = at.complement();
         // Infinite slopes of a ring are left to the scalar, and so is the sign of ∞ − ∞.
-        if F::SLOPE_POWER == 0 && !Lanes::<R>::all(z.above(Numbers::repeat(R::ZERO))) {
+        if F::IS_ENDLESS && !Lanes::<R>::all(z.above(Numbers::repeat(R::ZERO))) {
             return None;
         }
         let x = at.ratio * at.ratio;

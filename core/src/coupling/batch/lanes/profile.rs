@@ -94,11 +94,10 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> Disk<R, CELLS, TERMS> {
         }
         [Numbers::new(first), Numbers::new(second)]
     }
-}
 
-impl<R: Real, const CELLS: usize, const TERMS: usize> LaneProfile<R> for Disk<R, CELLS, TERMS> {
+    /// [`LaneProfile::drags_and_torques`]
     #[inline(always)]
-    fn drags_and_torques(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 2]> {
+    fn drags_and_torques(&self, at: &LaneSpeeds<R>) -> [Lanes<R>; 2] {
         let one = Lanes::<R>::repeat(R::ONE);
         let (a, h) = (at.slide(), at.ratio);
         let x = h * h;
@@ -110,11 +109,12 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> LaneProfile<R> for Disk<R,
         }
         let [phi, theta] = factors;
         let spin = Lanes::<R>::repeat(pure_spin_torque(self.exponent())) * (one - a * a);
-        Some([phi, spin * phi + a * h * theta])
+        [phi, spin * phi + a * h * theta]
     }
 
+    /// [`LaneProfile::factors_and_slopes`]
     #[inline(always)]
-    fn factors_and_slopes(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 3]> {
+    fn factors_and_slopes(&self, at: &LaneSpeeds<R>) -> [Lanes<R>; 3] {
         let z = at.complement();
         let mut factors = value_and_slope(&self.cells(z), z);
         if bends_slopes(self.alpha) && !self.above_end(z) {
@@ -127,28 +127,18 @@ impl<R: Real, const CELLS: usize, const TERMS: usize> LaneProfile<R> for Disk<R,
         let theta = inv_n * (half * phi + z * slope);
         let x = at.ratio * at.ratio;
         let chi = Lanes::<R>::select(at.slides, theta, inv_n * z * phi + x * theta);
-        Some([phi, slope, chi])
-    }
-
-    #[inline(always)]
-    fn speed_scales(&self, _: Lanes<R>) -> Option<Lanes<R>> {
-        Some(Numbers::repeat(R::ONE))
-    }
-
-    #[inline(always)]
-    fn rate_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>> {
-        Some(Lanes::<R>::repeat(R::ONE) / speed)
+        [phi, slope, chi]
     }
 }
 
 impl<R: Real, const CELLS: usize, const TERMS: usize> LaneProfile<R> for Table<R, CELLS, TERMS> {
     #[inline(always)]
     fn drags_and_torques(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 2]> {
-        self.disk.drags_and_torques(at)
+        Some(self.disk.drags_and_torques(at))
     }
     #[inline(always)]
     fn factors_and_slopes(&self, at: &LaneSpeeds<R>) -> Option<[Lanes<R>; 3]> {
-        self.disk.factors_and_slopes(at)
+        Some(self.disk.factors_and_slopes(at))
     }
     #[inline(always)]
     fn speed_scales(&self, speed: Lanes<R>) -> Option<Lanes<R>> {

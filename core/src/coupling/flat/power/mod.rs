@@ -166,10 +166,10 @@ impl<R: Real, P: PowerLawPatch<R>> ShapePowerFriction<R, P> {
     #[inline]
     pub fn wrench(&self, load: R, twist: &Twist<R>) -> Wrench<R> {
         match Motion::new(self.patch(), twist) {
-            Ok(motion) => {
+            Ok((motion, unit)) => {
                 let motion = motion.split_for_power();
                 let reduced = self.patch().of_power(&self.power, &motion);
-                let pace = self.pace(&motion, twist, self.power.alpha);
+                let pace = unit_speed_to(&motion, unit, self.power.alpha);
                 self.flat.at_origin(load, &reduced.scaled(pace))
             }
             Err(unmoved) => Wrench::new(unmoved, unmoved, unmoved),
@@ -205,12 +205,12 @@ impl<R: Real, P: PowerLawPatch<R>> ShapePowerFriction<R, P> {
     /// ```
     pub fn wrench_and_jacobian(&self, load: R, twist: &Twist<R>) -> (Wrench<R>, WrenchJacobian<R>) {
         let unmoved = match Motion::new(self.patch(), twist) {
-            Ok(motion) => {
+            Ok((motion, unit)) => {
                 let motion = motion.split_for_power();
                 let (reduced, hessian) = self.patch().of_power_with_hessian(&self.power, &motion);
                 let alpha = self.power.alpha;
-                let pace = self.pace(&motion, twist, alpha);
-                let rate = self.pace(&motion, twist, alpha - R::ONE);
+                let pace = unit_speed_to(&motion, unit, alpha);
+                let rate = unit_speed_to(&motion, unit, alpha - R::ONE);
                 return (
                     self.flat.at_origin(load, &reduced.scaled(pace)),
                     self.flat.jacobian_at_origin(load, &hessian.scaled(rate)),
@@ -229,19 +229,18 @@ impl<R: Real, P: PowerLawPatch<R>> ShapePowerFriction<R, P> {
         }
         (wrench, Matrix3::from_element(unmoved))
     }
+}
 
-    /// A power of the speed that a reduced motion has as its unit.
-    #[inline(always)]
-    fn pace(&self, motion: &SplitMotion<R>, twist: &Twist<R>, exponent: R) -> R {
-        let speed = match motion {
-            SplitMotion::Turns { spin, .. } => spin.abs(),
-            SplitMotion::Slides { speed, .. } => *speed,
-        };
-        let unit = Motion::unit(self.patch(), twist);
-        if unit == R::ONE {
-            speed.pow(exponent)
-        } else {
-            speed.pow(exponent) * unit.pow(-exponent)
-        }
+/// A power of the speed that a reduced motion has as its unit.
+#[inline(always)]
+fn unit_speed_to<R: Real>(motion: &SplitMotion<R>, unit: R, exponent: R) -> R {
+    let speed = match motion {
+        SplitMotion::Turns { spin, .. } => spin.abs(),
+        SplitMotion::Slides { speed, .. } => *speed,
+    };
+    if unit == R::ONE {
+        speed.pow(exponent)
+    } else {
+        speed.pow(exponent) * unit.pow(-exponent)
     }
 }
