@@ -1,6 +1,6 @@
 //! The largest error of the f32 forms of round patches over *every* ratio of speeds that f32 has, Coulomb friction.
 //!
-//! Prints the table of docs/accuracy.md, section "Every 33rd float", over every float. The judge is the f64 tier of the same patch, whose own
+//! Prints the table of docs/accuracy.md, section "Every float", over every float. The judge is the f64 tier of the same patch, whose own
 //! error (2e-15 relative at most, against 25 and more digits) is 4e-8 of what is measured here.
 //!
 //!     cargo run --release -p tribos-tests --example every_float          # all patches: minutes on many cores

@@ -36,7 +36,7 @@ pub(super) fn about_centre<R: Real, const WITH_HESSIAN: bool>(
             .zip([(a, b), (b, c), (c, a)])
     {
         let ((from, k0, r0), (to, k1, r1)) = ends;
-        // EdgeFromPole from the nearer end, of which more digits are known.
+        // From the nearer end, of which more digits are known.
         let across = |end: Vector2<R>| end.x * tangent.y - end.y * tangent.x;
         let along = |end: Vector2<R>| end.x * tangent.x + end.y * tangent.y;
         let is_first = r0 < r1;
