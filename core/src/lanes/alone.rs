@@ -1,6 +1,6 @@
 //! Targets without vectors whose roots and quotients round as the scalar ones do.
 
-use super::{Numbers, Summed, even_and_odd};
+use super::{Numbers, Summed};
 use core::ops::{Add, Mul};
 
 /// A precision; here without lanes.
@@ -25,7 +25,7 @@ pub trait Laned: Copy + Add<Output = Self> + Mul<Output = Self> {
     }
 }
 
-/// Each of the sums, as vectors compute them.
+/// Sums with even and odd powers apart, as vectors compute them. Row by row: by columns a check of bounds stays.
 #[inline]
 fn side_by_side<R, const SUMS: usize, const TERMS: usize>(
     terms: &[[R; SUMS]; TERMS],
@@ -34,7 +34,24 @@ fn side_by_side<R, const SUMS: usize, const TERMS: usize>(
 where
     R: Copy + Add<Output = R> + Mul<Output = R>,
 {
-    core::array::from_fn(|sum| even_and_odd::<_, TERMS>(|n| terms[n][sum], u))
+    let square = u * u;
+    let mut sums = [terms[TERMS - 1], terms[TERMS - 2]];
+    for n in (1..TERMS - 2).rev() {
+        for (sum, term) in sums[(TERMS - 1 - n) % 2].iter_mut().zip(terms[n]) {
+            *sum = *sum * square + term;
+        }
+    }
+    // The sums end with the first and the second power.
+    let [first, second] = if TERMS.is_multiple_of(2) {
+        sums
+    } else {
+        [sums[1], sums[0]]
+    };
+    let mut whole = terms[0];
+    for ((whole, first), second) in whole.iter_mut().zip(first).zip(second) {
+        *whole = *whole + (first * u + second * square);
+    }
+    whole
 }
 
 impl Laned for f32 {
