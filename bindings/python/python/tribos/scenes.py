@@ -696,7 +696,8 @@ class PowderScene(Scene):
         Most sweeps of a step, N_I; all of them with stop_rule = "fixed". *Value*: a whole number
         from 1 to 1000000.
     warm_start
-        Whether a step starts from the forces of the last one. *Value*: one of "on", "off".
+        Share of the last step's forces that a step starts from; "on" is 1, "off" is 0. *Value*: a
+        number from 0 to 1, or "on" or "off".
     max_displacement
         Largest distance that a sphere may move in a step; soft contacts divide it into stable ones.
         *Unit*: R. *Value*: a number > 0 and <= 0.5.
@@ -753,7 +754,7 @@ class PowderScene(Scene):
     stop_rule: Literal["global", "local", "fixed"] = "global"
     tolerance: float = 0.0001
     max_iterations: int = 1000
-    warm_start: Literal["on", "off"] = "on"
+    warm_start: float | str = "on"
     max_displacement: float = 0.05
     max_time_step: float = 0.2
     still_speed: float = 1e-07

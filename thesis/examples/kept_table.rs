@@ -1,0 +1,63 @@
+//! Collects the runs of sweeps into a table that an exhibit reads.
+//!
+//! ```text
+//! cargo run -p tribos-thesis --example kept_table -- thesis/src/exhibits/outlook/runs.csv out/a1 out/b1
+//! ```
+//!
+//! The first argument is the table, all others are folders of sweeps, finished or not; runs that have not ended are
+//! left out. The head of the table, which names the sweeps, and its columns stay: keys of a run's scene, or of its summary.
+
+use anyhow::{Context, Result, ensure};
+use serde_json::Value;
+use std::path::Path;
+use tribos::record::write_atomically;
+use tribos::scene::with_present_names;
+
+fn main() -> Result<()> {
+    let mut arguments = std::env::args().skip(1);
+    let table = arguments.next().context("name the table and the sweeps")?;
+    let before = std::fs::read_to_string(&table).with_context(|| format!("no table {table}"))?;
+    let mut head: Vec<&str> = before
+        .lines()
+        .take_while(|line| line.starts_with('#'))
+        .collect();
+    let columns = before
+        .lines()
+        .nth(head.len())
+        .context("the table has no columns")?;
+    head.push(columns);
+    let mut lines = Vec::new();
+    for sweep in arguments {
+        let runs = Path::new(&sweep).join("runs");
+        let entries = std::fs::read_dir(&runs).with_context(|| format!("{}", runs.display()))?;
+        for entry in entries {
+            lines.extend(line(&entry?.path(), columns)?);
+        }
+    }
+    ensure!(!lines.is_empty(), "no run of these sweeps has ended");
+    lines.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
+    lines.dedup();
+    let head: String = head.into_iter().map(|line| format!("{line}\n")).collect();
+    let lines: String = lines.into_iter().map(|(_, line)| line + "\n").collect();
+    write_atomically(Path::new(&table), format!("{head}{lines}").as_bytes())?;
+    Ok(())
+}
+
+/// The seed and the line of a run's folder, if the run has ended.
+fn line(run: &Path, columns: &str) -> Result<Option<(f64, String)>> {
+    let Ok(text) = std::fs::read_to_string(run.join("summary.json")) else {
+        return Ok(None);
+    };
+    let summary: Value =
+        serde_json::from_str(&text).with_context(|| format!("{} cannot be read", run.display()))?;
+    let scene = with_present_names(&summary["scene"]);
+    let words = columns.split(',').map(|key| {
+        let value = scene.get(key).unwrap_or(&summary[key]);
+        value
+            .as_str()
+            .map_or_else(|| value.to_string(), String::from)
+    });
+    let words: Vec<String> = words.collect();
+    let seed = scene["seed"].as_f64().unwrap_or(f64::NAN);
+    Ok(Some((seed, words.join(","))))
+}
