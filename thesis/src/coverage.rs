@@ -139,8 +139,8 @@ pub const ITEMS: &[Item] = &[
     shown("section 4.4.1", &["section-4.4.1"]),
     shown("section 4.4.2", &["section-4.4.2"]),
     shown("section 4.5", &["4.5"]),
-    shown("section 4.6.1", &["4.7"]),
-    shown("section 4.6.2", &["table-4.1"]),
+    shown("section 4.6.1", &["4.7", "section-4.6-choices"]),
+    shown("section 4.6.2", &["table-4.1", "section-4.6-choices"]),
     shown("section 4.7", &["4.5", "4.7"]),
     shown(
         "section 5.1",

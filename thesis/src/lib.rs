@@ -124,6 +124,10 @@ pub const EXHIBITS: &[(&str, Maker)] = &[
     ("4.6", Running(packing::figure_4_6, [15.0, 50.0])),
     ("4.7", Running(porosity::figure_4_7, [75.0, 1000.0])),
     ("table-4.1", Running(stress::table_4_1, [1.0, 170.0])),
+    (
+        "section-4.6-choices",
+        Running(choices::section_4_6_choices, [3.0, 3.0]),
+    ),
     ("section-5.1", Alone(pressure::section_5_1)),
     (
         "section-5.1-modes",

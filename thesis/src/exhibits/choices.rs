@@ -95,7 +95,10 @@ impl Choice {
     fn words(&self) -> String {
         let walls = if self.is_smooth { "smooth" } else { "rough" };
         let times = self.pressure / PRINTED_PRESSURE;
-        format!("μ = {}, {times:.3} P, d_c = {:e} R, {walls} walls", self.mu, self.range)
+        format!(
+            "μ = {}, {times:.3} P, d_c = {:e} R, {walls} walls",
+            self.mu, self.range
+        )
     }
 }
 
@@ -161,7 +164,12 @@ impl Table {
     }
 
     /// Mean, scatter and number of a quantity of all deposits; nothing without runs.
-    fn of(&self, choice: &Choice, pair: [f64; 2], what: fn(&Line) -> f64) -> Option<(f64, f64, f64)> {
+    fn of(
+        &self,
+        choice: &Choice,
+        pair: [f64; 2],
+        what: fn(&Line) -> f64,
+    ) -> Option<(f64, f64, f64)> {
         let chosen = |line: &&Line| line.choice == *choice && line.pair == pair;
         let values: Vec<f64> = self.0.iter().filter(chosen).map(what).collect();
         let (mean, scatter) = statistics(&values);
@@ -170,7 +178,11 @@ impl Table {
 
     fn porosity(&self, choice: &Choice, pair: [f64; 2]) -> Option<(f64, f64, f64)> {
         let (mean, scatter, count) = self.of(choice, pair, |line| line.porosity)?;
-        Some((mean, if scatter.is_nan() { SCATTER } else { scatter }, count))
+        Some((
+            mean,
+            if scatter.is_nan() { SCATTER } else { scatter },
+            count,
+        ))
     }
 
     /// χ² of the four corners by both errors.
@@ -194,7 +206,9 @@ impl Table {
     /// χ² of the corners and both rises, of two fluctuations each.
     fn whole_misfit(&self, choice: &Choice) -> Option<f64> {
         let rises = self.rises(choice)?;
-        let of_rises = rises.iter().map(|rise| rise * rise / (2.0 * FLUCTUATION.powi(2)));
+        let of_rises = rises
+            .iter()
+            .map(|rise| rise * rise / (2.0 * FLUCTUATION.powi(2)));
         Some(self.misfit(choice)? + of_rises.sum::<f64>())
     }
 
@@ -218,15 +232,30 @@ pub fn section_4_6_choices(runs: &Runs) -> Result<Exhibit> {
         judged.extend(table.misfit(&choice).map(|misfit| (choice, misfit)));
     }
     judged.sort_by(|a, b| a.1.total_cmp(&b.1));
-    let rows = table.choices().iter().map(|choice| row(&table, choice)).collect();
+    let rows = table
+        .choices()
+        .iter()
+        .map(|choice| row(&table, choice))
+        .collect();
     Ok(Exhibit::new(
         TEXT.prose_of(runs.effort())
             .with("choices", judged.len())
             .with("runs", table.0.len()),
         figure(&table, &judged),
         &[
-            "mu", "pressure", "cohesion_range", "smooth_walls", "warm_start", "group", "porosity_00", "porosity_01",
-            "porosity_10", "porosity_11", "chi_squared_4", "chi_squared_6", "chi_squared_stress_8",
+            "mu",
+            "pressure",
+            "cohesion_range",
+            "smooth_walls",
+            "warm_start",
+            "group",
+            "porosity_00",
+            "porosity_01",
+            "porosity_10",
+            "porosity_11",
+            "chi_squared_4",
+            "chi_squared_6",
+            "chi_squared_stress_8",
         ],
         rows,
         claims(runs, &table, &judged)?,
@@ -234,12 +263,27 @@ pub fn section_4_6_choices(runs: &Runs) -> Result<Exhibit> {
 }
 
 fn row(table: &Table, choice: &Choice) -> Vec<f64> {
-    let porosity = |(pair, _)| table.porosity(choice, pair).map_or(f64::NAN, |found| found.0);
+    let porosity = |(pair, _)| {
+        table
+            .porosity(choice, pair)
+            .map_or(f64::NAN, |found| found.0)
+    };
     let [a, b, c, d] = CORNERS.map(porosity);
-    let misfits = [table.misfit(choice), table.whole_misfit(choice), table.stress_misfit(choice)];
+    let misfits = [
+        table.misfit(choice),
+        table.whole_misfit(choice),
+        table.stress_misfit(choice),
+    ];
     let [four, six, eight] = misfits.map(|misfit| misfit.unwrap_or(f64::NAN));
     let walls = f64::from(u8::from(choice.is_smooth));
-    let made = [choice.mu, choice.pressure, choice.range, walls, choice.warm, choice.group()];
+    let made = [
+        choice.mu,
+        choice.pressure,
+        choice.range,
+        walls,
+        choice.warm,
+        choice.group(),
+    ];
     [&made[..], &[a, b, c, d, four, six, eight]].concat()
 }
 
@@ -252,26 +296,56 @@ fn figure(table: &Table, judged: &[(Choice, f64)]) -> Panels {
     );
     for is_smooth in [true, false] {
         for range in [1e-4, 1e-3, 1e-2] {
-            let of = |(choice, _): &&(Choice, f64)| choice.is_smooth == is_smooth && choice.range == range;
-            let points = judged.iter().filter(of).map(|(choice, misfit)| (choice.group(), *misfit));
+            let of = |(choice, _): &&(Choice, f64)| {
+                choice.is_smooth == is_smooth && choice.range == range
+            };
+            let points = judged
+                .iter()
+                .filter(of)
+                .map(|(choice, misfit)| (choice.group(), *misfit));
             let walls = if is_smooth { "smooth" } else { "rough" };
-            over = over.series(Series::points(format!("{range:e} R, {walls}"), points.collect()));
+            over = over.series(Series::points(
+                format!("{range:e} R, {walls}"),
+                points.collect(),
+            ));
         }
     }
     let over = over.guide(ReferenceLine::horizontal(LIMITS[0], "95 %"));
-    let porosities = beside("Porosities", "final porosity [%]", &CORNERS.map(|(pair, thesis)| (pair, thesis)), |choice, pair| {
-        table.porosity(choice, pair).map(|found| found.0)
-    });
+    let porosities = beside(
+        "Porosities",
+        "final porosity [%]",
+        &CORNERS.map(|(pair, thesis)| (pair, thesis)),
+        |choice, pair| table.porosity(choice, pair).map(|found| found.0),
+    );
     let lines = TABLE.map(|[rolling, torsion, plus, _]| ([rolling, torsion], plus));
-    let stresses = beside("Stress of pushing contacts", "σ_zz⁺/P", &lines, |choice, pair| {
-        table.of(choice, pair, |line| line.plus).map(|found| found.0)
-    });
+    let stresses = beside(
+        "Stress of pushing contacts",
+        "σ_zz⁺/P",
+        &lines,
+        |choice, pair| {
+            table
+                .of(choice, pair, |line| line.plus)
+                .map(|found| found.0)
+        },
+    );
     let shares = SHARES.into_iter().fold(
-        Figure::new("Shares of a warm start", names(&lines), Axis::linear("σ_zz⁺/P")).series(thesis(&lines)),
+        Figure::new(
+            "Shares of a warm start",
+            names(&lines),
+            Axis::linear("σ_zz⁺/P"),
+        )
+        .series(thesis(&lines)),
         |figure, share| {
             let choice = JUDGED[3].warm(share);
-            let of = |pair| table.of(&choice, pair, |line| line.plus).map(|found| found.0);
-            figure.series(Series::line_points(format!("share {share}"), placed(&lines, of)))
+            let of = |pair| {
+                table
+                    .of(&choice, pair, |line| line.plus)
+                    .map(|found| found.0)
+            };
+            figure.series(Series::line_points(
+                format!("share {share}"),
+                placed(&lines, of),
+            ))
         },
     );
     Panels::new("", 2)
@@ -283,18 +357,25 @@ fn figure(table: &Table, judged: &[(Choice, f64)]) -> Panels {
 }
 
 fn names(lines: &[([f64; 2], f64)]) -> Axis {
-    let names = lines.iter().map(|([rolling, torsion], _)| format!("({rolling}, {torsion})"));
+    let names = lines
+        .iter()
+        .map(|([rolling, torsion], _)| format!("({rolling}, {torsion})"));
     Axis::named("(μ_t, μ_n)", names.collect())
 }
 
 fn thesis(lines: &[([f64; 2], f64)]) -> Series {
-    let points = lines.iter().enumerate().map(|(at, (_, value))| (1.0 + at as f64, *value));
+    let points = lines
+        .iter()
+        .enumerate()
+        .map(|(at, (_, value))| (1.0 + at as f64, *value));
     Series::line_points("thesis", points.collect())
 }
 
 fn placed(lines: &[([f64; 2], f64)], of: impl Fn([f64; 2]) -> Option<f64>) -> Vec<(f64, f64)> {
     let places = lines.iter().enumerate();
-    places.filter_map(|(at, (pair, _))| Some((1.0 + at as f64, of(*pair)?))).collect()
+    places
+        .filter_map(|(at, (pair, _))| Some((1.0 + at as f64, of(*pair)?)))
+        .collect()
 }
 
 /// The thesis' numbers, and those of each judged choice.
@@ -305,7 +386,135 @@ fn beside(
     of: impl Fn(&Choice, [f64; 2]) -> Option<f64>,
 ) -> Figure {
     let figure = Figure::new(title, names(lines), Axis::linear(label)).legend(Legend::default());
-    JUDGED.iter().fold(figure.series(thesis(lines)), |figure, choice| {
-        figure.series(Series::line_points(choice.words(), placed(lines, |pair| of(choice, pair))))
-    })
+    JUDGED
+        .iter()
+        .fold(figure.series(thesis(lines)), |figure, choice| {
+            figure.series(Series::line_points(
+                choice.words(),
+                placed(lines, |pair| of(choice, pair)),
+            ))
+        })
+}
+
+/// "54.8 63.9 73.3 82.2 %".
+fn corners(table: &Table, choice: &Choice) -> String {
+    let shown = CORNERS.map(|(pair, _)| {
+        table
+            .porosity(choice, pair)
+            .map_or(f64::NAN, |found| found.0)
+    });
+    format!(
+        "{} %",
+        shown.map(|porosity| format!("{porosity:.1}")).join(", ")
+    )
+}
+
+fn claims(runs: &Runs, table: &Table, judged: &[(Choice, f64)]) -> Result<Vec<Claim>> {
+    let [four, six, eight] = LIMITS;
+    let compatible: Vec<&Choice> = judged
+        .iter()
+        .filter(|(_, misfit)| *misfit < four)
+        .map(|(choice, _)| choice)
+        .collect();
+    let ends = |of: fn(&Choice) -> f64| {
+        let values = compatible.iter().map(|choice| of(choice));
+        values.fold([f64::INFINITY, 0.0_f64], |[least, most], x| {
+            [least.min(x), most.max(x)]
+        })
+    };
+    let [loosest, tightest] = ends(Choice::group);
+    let [weakest, strongest] = ends(|choice| choice.mu);
+    let [light, heavy] = ends(|choice| choice.pressure / PRINTED_PRESSURE);
+    let is_printed = |choice: &Choice| choice.mu == 0.3 && choice.pressure == PRINTED_PRESSURE;
+    let printed = judged.iter().find(|(choice, _)| is_printed(choice));
+    let (nearest, misfit) = printed.map_or((JUDGED[0], f64::NAN), |found| *found);
+    let mut claims = vec![
+        Claim::own_statement(
+            TEXT.said("printed"),
+            format!(
+                "χ² = {misfit:.0} at best, {}: {}",
+                nearest.words(),
+                corners(table, &nearest)
+            ),
+            misfit > four,
+        ),
+        Claim::own_statement(
+            TEXT.said("compatible").with("limit", four),
+            format!("{} of {}", compatible.len(), judged.len()),
+            !compatible.is_empty() && compatible.iter().all(|choice| !is_printed(choice)),
+        ),
+        Claim::own_statement(
+            TEXT.said("group"),
+            format!("{loosest:.0} to {tightest:.0}"),
+            tightest < 0.3 / PRINTED_PRESSURE && loosest > 0.2 * tightest,
+        ),
+        Claim::own_statement(
+            TEXT.said("not-apart"),
+            format!(
+                "μ from {weakest} to {strongest}, pressures from {light} to {heavy} times the printed one"
+            ),
+            weakest < strongest && light < heavy,
+        ),
+    ];
+    for choice in &JUDGED[1..] {
+        let misfit = table.whole_misfit(choice).unwrap_or(f64::NAN);
+        let rises = table.rises(choice).unwrap_or([f64::NAN; 2]);
+        claims.push(
+            Claim::own_statement(
+                TEXT.said("whole")
+                    .with("choice", choice.words())
+                    .with("limit", six),
+                format!(
+                    "χ² = {misfit:.1}: {}; from 0.4 to 1 {:+.1} and {:+.1} points",
+                    corners(table, choice),
+                    rises[0],
+                    rises[1]
+                ),
+                misfit < six,
+            )
+            .uncertain("five deposits"),
+        );
+    }
+    let stresses = SHARES.map(|share| {
+        table
+            .stress_misfit(&JUDGED[3].warm(share))
+            .unwrap_or(f64::NAN)
+    });
+    let shown = stresses.map(|misfit| format!("{misfit:.0}"));
+    let least = stresses.into_iter().fold(f64::INFINITY, f64::min);
+    claims.push(
+        Claim::own_statement(
+            TEXT.said("stress")
+                .with("choice", JUDGED[3].words())
+                .with("limit", eight),
+            format!("χ² = {} with shares of 1, 0.5, 0", shown.join(", ")),
+            least > eight,
+        )
+        .uncertain("five deposits"),
+    );
+    claims.extend(repeated(runs, table)?);
+    Ok(claims)
+}
+
+/// A line of the table, run again.
+fn repeated(runs: &Runs, table: &Table) -> Result<Option<Claim>> {
+    let Choice {
+        mu,
+        pressure,
+        range,
+        ..
+    } = JUDGED[3];
+    let keys = format!("mu={mu},pressure={pressure},cohesion_range={range},wall=smooth");
+    let case = Case::new(System::Small, [0.0; 2], 1).with(&keys, |scene| {
+        (scene.mu, scene.pressure, scene.cohesion_range) = (mu, pressure, range);
+        scene.wall_contact = WallLaw::Smooth;
+    });
+    let ours = 100.0 * runs.one(&case)?.outcome.porosity_final;
+    let is_it =
+        |line: &&Line| line.choice == JUDGED[3] && line.pair == [0.0; 2] && line.seed == 1.0;
+    Ok(table
+        .0
+        .iter()
+        .find(is_it)
+        .map(|line| Claim::own(TEXT.said("repeated"), ours, line.porosity, 0.5)))
 }

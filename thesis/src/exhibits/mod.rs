@@ -2,6 +2,7 @@
 
 pub(crate) mod asymptotics;
 pub(crate) mod board;
+pub(crate) mod choices;
 pub(crate) mod classical;
 pub(crate) mod contact_exhibits;
 pub mod contact_laws;

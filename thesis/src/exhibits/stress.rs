@@ -13,7 +13,7 @@ use tribos_report::verdict::Allowance;
 const TEXT: Text = Text(include_str!("table-4.1.md"));
 
 /// The table: μ_t, μ_n, σ_zz⁺, σ_zz⁻ in units of the pressure; the corners of figure 4.7 first.
-const TABLE: [[f64; 4]; 8] = [
+pub(super) const TABLE: [[f64; 4]; 8] = [
     [0.0, 0.0, 2.2, -1.2],
     [1.0, 1.0, 1.1, -0.1],
     [0.0, 1.0, 1.9, -0.9],

@@ -102,6 +102,7 @@ fn the_whole_report_is_made_and_no_comparison_fails() -> Outcome {
         "section-4.2",
         "section-4.4.1",
         "section-4.4.2",
+        "section-4.6-choices",
         "section-5.2",
         "appendix-b",
     ] {

@@ -5,14 +5,14 @@ use super::{BOTH, Code, Item, NARROW, item, round};
 /// Modules of every item built on the disk's Coulomb table.
 macro_rules! on_form {
     ($($more:literal),*) => {
-        round!("coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways" $(, $more)*)
+        round!("coupling::coulomb coupling::coulomb::form coupling::coulomb::terms special::log_part special::log_quotient coupling::batch::ways" $(, $more)*)
     };
 }
 
 /// The same with the modules of the limit surface.
 macro_rules! surface {
     () => {
-        on_form!("limit_surface limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation")
+        on_form!("limit_surface limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation limit_surface::curve_point")
     };
 }
 
@@ -62,7 +62,7 @@ pub const BODIES: [Item; 10] = [
     item(
         ["limit surface", "ellipsoid: projection"],
         NARROW,
-        "limit_surface limit_surface::ellipsoid limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation",
+        "limit_surface limit_surface::ellipsoid limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation limit_surface::curve_point",
         Code::new(
             "LimitEllipsoid::new(1.0 as R, 1.0, 0.625).ok()?",
             PROJECTION,

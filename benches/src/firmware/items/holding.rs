@@ -15,7 +15,7 @@ const fn bond(name: &'static str, modules: &'static str, prepare: &'static str) 
 macro_rules! ellipsoid {
     ($more:literal) => {
         concat!(
-            "limit_surface limit_surface::ellipsoid limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation ",
+            "limit_surface limit_surface::ellipsoid limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation limit_surface::curve_point ",
             $more
         )
     };
@@ -65,7 +65,7 @@ pub const HOLDING: [Item; 12] = [
         ["holding", "holds, slips or undecided: disk"],
         NARROW,
         round!(
-            "coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways holding limit_surface limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation"
+            "coupling::coulomb coupling::coulomb::form coupling::coulomb::terms special::log_part special::log_quotient coupling::batch::ways holding limit_surface limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation limit_surface::curve_point"
         ),
         Code::new(
             "(RoundLimitSurface::new(coulomb::CoulombDisk, 1.0 as R, 1.0).ok()?, RoundLimitSurface::new(coulomb::CoulombDisk, 1.5 as R, 1.0).ok()?)",

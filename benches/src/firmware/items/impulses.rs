@@ -17,8 +17,8 @@ macro_rules! impulse {
 macro_rules! exact {
     ($($more:literal),*) => {
         round!(
-            "coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways",
-            "limit_surface limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation",
+            "coupling::coulomb coupling::coulomb::form coupling::coulomb::terms special::log_part special::log_quotient coupling::batch::ways",
+            "limit_surface limit_surface::round limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation limit_surface::curve_point",
             "contact contact::block contact::body contact::update contact::coupled",
             "contact::friction contact::modes contact::normal contact::sliding_rolling",
             "contact::geometry contact::vector" $(, $more)*
@@ -31,7 +31,7 @@ macro_rules! ellipsoid {
     () => {
         impulse!(
             "limit_surface limit_surface::ellipsoid limit_surface::round",
-            "limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation",
+            "limit_surface::searches limit_surface::meridian limit_surface::polar limit_surface::ratio_search coupling::coulomb::curve limit_surface::curve_approximation limit_surface::curve_point",
             "contact::coupled contact::sliding_rolling"
         )
     };

@@ -51,7 +51,7 @@ pub const PATCHES: [Item; 18] = [
         "Hertz: form",
         BOTH,
         round!(
-            "coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways"
+            "coupling::coulomb coupling::coulomb::form coupling::coulomb::terms special::log_part special::log_quotient coupling::batch::ways"
         ),
         "coulomb::CoulombHertz",
     ),
@@ -59,7 +59,7 @@ pub const PATCHES: [Item; 18] = [
         "punch: form",
         NARROW,
         round!(
-            "coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways"
+            "coupling::coulomb coupling::coulomb::form coupling::coulomb::terms special::log_part special::log_quotient coupling::batch::ways"
         ),
         "coulomb::CoulombPunch",
     ),
@@ -67,7 +67,7 @@ pub const PATCHES: [Item; 18] = [
         "ring: form",
         NARROW,
         round!(
-            "coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways"
+            "coupling::coulomb coupling::coulomb::form coupling::coulomb::terms special::log_part special::log_quotient coupling::batch::ways"
         ),
         "coulomb::CoulombRing",
     ),
@@ -75,7 +75,7 @@ pub const PATCHES: [Item; 18] = [
         "annulus: form",
         NARROW,
         round!(
-            "coupling::annulus coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways"
+            "coupling::annulus coupling::coulomb coupling::coulomb::form coupling::coulomb::terms special::log_part special::log_quotient coupling::batch::ways"
         ),
         "Annulus::new(coulomb::CoulombDisk, 0.5 as R).ok()?",
     ),

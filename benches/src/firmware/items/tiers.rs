@@ -26,7 +26,7 @@ pub const TIERS: [Item; 6] = [
         "form: Coulomb",
         BOTH,
         round!(
-            "coupling::coulomb coupling::coulomb::form special::log_part special::log_quotient coupling::batch::ways"
+            "coupling::coulomb coupling::coulomb::form coupling::coulomb::terms special::log_part special::log_quotient coupling::batch::ways"
         ),
         "coulomb::CoulombDisk",
     ),
