@@ -96,6 +96,8 @@ pub(super) fn minimise<R: Real>(
         }
         steps += 1;
         let before = goal.value(&at, power.value);
+        // The twist may be short: of a wrench far outside that of the nearest wrench is, in units of that wrench.
+        let terms = goal.terms(&at, power.value);
         let kink = kink_at(&at);
         if let Some(kink) = &kink {
             match beside(goal, kink, &power_at) {
@@ -109,7 +111,7 @@ pub(super) fn minimise<R: Real>(
                     }
                     if let Some((next, next_power)) = next {
                         let gain = before - goal.value(&next, next_power.value);
-                        let worth = ulps(WORTH_ULPS) * (R::ONE + before.abs());
+                        let worth = ulps(WORTH_ULPS) * terms;
                         let is_closer = norm(&goal.gradient(&next, &next_power)) < size;
                         if gain > worth || (gain >= -worth && is_closer) {
                             (at, power) = (next, next_power);
@@ -120,11 +122,15 @@ pub(super) fn minimise<R: Real>(
                 NonsmoothProbe::Nowhere => {}
             }
         }
-        let way = TwistLine::new(&at, kink.as_ref(), goal.reach(&power));
+        // A gradient that may be rounding: in units of the set's wrenches, but for what the wanted one rounds by.
+        let reach = goal.reach(&power);
+        let unit = if reach < R::ONE { reach } else { R::ONE };
+        let rough = rounding_gradient::<R>() * unit + ulps(DONE_ULPS);
+        let way = TwistLine::new(&at, kink.as_ref(), reach);
         // Rounding of the slowest point's direction.
         if let Some(slow) = &way.slow {
-            let noise = slow.share * goal.reach(&power) * norm(&at) / slow.speed;
-            let most = R::from_f64(NEAR_KINK) * rounding_gradient::<R>();
+            let noise = slow.share * reach * norm(&at) / slow.speed;
+            let most = R::from_f64(NEAR_KINK) * rough;
             let known = ulps(DONE_ULPS) * noise;
             if size <= if known < most { known } else { most } {
                 break;
@@ -141,7 +147,7 @@ pub(super) fn minimise<R: Real>(
         let mut factor = R::ONE;
         let mut next = way.along(&step, factor);
         let mut next_power = power_at(&next);
-        let slack = ulps(DONE_ULPS) * (R::ONE + before.abs());
+        let slack = ulps(DONE_ULPS) * terms;
         for _ in 0..MOST_HALVINGS {
             let enough = before - R::from_f64(ENOUGH) * factor * descent;
             if goal.value(&next, next_power.value) <= enough + slack {
@@ -152,9 +158,8 @@ pub(super) fn minimise<R: Real>(
             next_power = power_at(&next);
         }
         let after = goal.value(&next, next_power.value);
-        let is_rounding = factor == R::ONE
-            && size < rounding_gradient()
-            && norm(&goal.gradient(&next, &next_power)) >= size;
+        let is_rounding =
+            factor == R::ONE && size < rough && norm(&goal.gradient(&next, &next_power)) >= size;
         if is_rounding || after > before + slack || after.is_nan() {
             break;
         }
@@ -293,6 +298,7 @@ fn beside<R: Real>(
     let along = Vector3::new(cx, cy, R::ZERO);
     power.gradient += kink.wrench([cx, cy]) * kink.share;
     let before = goal.value(&at, power.value);
+    let slack = R::from_f64(DONE_ULPS) * R::EPSILON * goal.terms(&at, power.value);
     let slope = (force - kink.share) * reach;
     let matrix = goal.matrix(&power);
     let bend = matrix.m11 * cx * cx + R::TWO * matrix.m12 * cx * cy + matrix.m22 * cy * cy;
@@ -301,7 +307,6 @@ fn beside<R: Real>(
         power,
         left: slope,
     };
-    let slack = R::from_f64(DONE_ULPS) * R::EPSILON * (R::ONE + before.abs());
     let mut by = slope / bend;
     for _ in 0..MOST_HALVINGS {
         let next = at + along * by;

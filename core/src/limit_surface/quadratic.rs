@@ -55,6 +55,11 @@ pub(super) fn dot<R: Real>(a: &Vector3<R>, b: &Vector3<R>) -> R {
     a.x * b.x + a.y * b.y + a.z * b.z
 }
 
+/// |a|·|b|, part by part: what a·b rounds by, over the rounding error.
+pub(super) fn dot_of_sizes<R: Real>(a: &Vector3<R>, b: &Vector3<R>) -> R {
+    (a.x * b.x).abs() + (a.y * b.y).abs() + (a.z * b.z).abs()
+}
+
 pub(super) fn norm<R: Real>(a: &Vector3<R>) -> R {
     a.x.hypot(a.y).hypot(a.z)
 }

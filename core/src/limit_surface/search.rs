@@ -3,7 +3,7 @@
 //! Newton's method with steps that are halved until they descend; the derivation stands in
 //! [`super::patch`].
 
-use super::quadratic::{Factors, dot, norm, outer};
+use super::quadratic::{Factors, dot, dot_of_sizes, norm, outer};
 use crate::real::Real;
 use nalgebra::{Matrix3, Vector3};
 
@@ -54,6 +54,8 @@ pub(super) struct Minimiser<R: Real> {
 pub(super) trait TwistObjective<R: Real> {
     /// Its value without the constant, and its gradient.
     fn value(&self, at: &Vector3<R>, power: R) -> R;
+    /// The sum of the magnitudes of the value's terms: the value is known to rounding errors of it.
+    fn terms(&self, at: &Vector3<R>, power: R) -> R;
     fn gradient(&self, at: &Vector3<R>, power: &Power<R>) -> Vector3<R>;
     fn matrix(&self, power: &Power<R>) -> Matrix3<R>;
 
@@ -84,6 +86,9 @@ pub(super) struct ProjectionObjective<R: Real> {
 impl<R: Real> TwistObjective<R> for GaugeObjective<R> {
     fn value(&self, at: &Vector3<R>, power: R) -> R {
         R::HALF * power * power - dot(&self.wrench, at)
+    }
+    fn terms(&self, at: &Vector3<R>, power: R) -> R {
+        R::HALF * power * power + dot_of_sizes(&self.wrench, at)
     }
     fn gradient(&self, _: &Vector3<R>, power: &Power<R>) -> Vector3<R> {
         power.gradient * power.value - self.wrench
@@ -125,6 +130,10 @@ impl<R: Real> ProjectionObjective<R> {
 impl<R: Real> TwistObjective<R> for ProjectionObjective<R> {
     fn value(&self, at: &Vector3<R>, power: R) -> R {
         R::HALF * dot(at, &self.displacement(at)) + power * self.reach - dot(&self.wrench, at)
+    }
+    fn terms(&self, at: &Vector3<R>, power: R) -> R {
+        let linear = power * self.reach + dot_of_sizes(&self.wrench, at);
+        R::HALF * dot(at, &self.displacement(at)) + linear
     }
     fn gradient(&self, at: &Vector3<R>, power: &Power<R>) -> Vector3<R> {
         self.displacement(at) + power.gradient * self.reach - self.wrench

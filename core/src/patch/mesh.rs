@@ -71,7 +71,8 @@ impl<R: Real, const N: usize> Mesh<R, [Triangle<R>; N]> {
     /// The mesh of triangles with these corners.
     ///
     /// *Domain*: at least one triangle with an area and a pressure; finite places, finite pressures
-    /// ≥ 0.
+    /// ≥ 0. The triangles that carry load are not so small that their extent is lost in rounding beside their
+    /// distance from the first triangle under pressure, which may have no area.
     pub fn new(triangles: [[Vertex<R>; 3]; N]) -> Result<Self, MeshError> {
         Self::of(triangles.into_iter(), [Triangle::default(); N])
     }
@@ -144,6 +145,9 @@ impl<R: Real, S: AsRef<[Triangle<R>]> + AsMut<[Triangle<R>]>> Mesh<R, S> {
         let (centre, radius) = (origin + centre * unit, radius * unit);
         if !(centre.x + centre.y + radius).is_finite() {
             return Err(MeshError::Extent);
+        }
+        if radius == R::ZERO {
+            return Err(MeshError::Unloaded);
         }
         Ok(Self {
             triangles,
@@ -307,6 +311,11 @@ impl<R: Real> Frame<R> {
             if distance > radius {
                 radius = distance;
             }
+        }
+        // What lies far from a triangle without area, or is very small beside it, has no extent beyond rounding.
+        let by_place = four * R::EPSILON * (centre.x.abs() + centre.y.abs());
+        if radius <= by_place + R::MIN_POSITIVE / R::EPSILON / load {
+            return Err(MeshError::Unloaded);
         }
         Ok(Self {
             centre,

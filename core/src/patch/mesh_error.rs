@@ -49,7 +49,7 @@ pub enum MeshError {
     },
     /// The distance between two corners or the centre of pressure is out of range.
     Extent,
-    /// No triangle has both an area and a pressure.
+    /// No triangle has both an area and a pressure, beyond rounding.
     Unloaded,
 }
 

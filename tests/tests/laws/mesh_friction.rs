@@ -64,6 +64,14 @@ fn what_carries_nothing_is_left_out_and_what_is_no_mesh_is_refused() {
     assert_eq!(wide, Some(MeshError::Extent));
     let wide = refusal([vertex(-1.7e308, 0.0, 1.0), vertex(1.7e308, 1e308, 1.0), a]);
     assert_eq!(wide, Some(MeshError::Extent));
+    // Seen from a line that carries nothing, 10²⁰ away, the triangle has no extent.
+    let line = [
+        vertex(1e20, 0.0, 1.0),
+        vertex(2e20, 0.0, 1.0),
+        vertex(3e20, 0.0, 1.0),
+    ];
+    let lost = Mesh::new([line, [a, b, c]]).err();
+    assert_eq!(lost, Some(MeshError::Unloaded));
     let none = Mesh::<f64, [Triangle<f64>; 0]>::new([]).err();
     assert_eq!(none, Some(MeshError::Empty));
     let unloaded = Mesh::new([[

@@ -191,6 +191,32 @@ fn every_search_on_points_ends_with_a_wrench_that_balances() {
     }
 }
 
+#[test]
+fn torques_far_beyond_points_have_their_nearest_wrench_for_long_lengths() {
+    let nodes = [
+        [0.634_9, -7.132_7, 0.509_99],
+        [-1.175_3, -8.123_8, 0.525_18],
+        [-5.205_5, -3.459_4, 0.493_39],
+        [0.466_2, 4.975_4, 0.193_84],
+    ]
+    .map(|[x, y, weight]| Node { x, y, weight });
+    let points = PointPatch::new(Nodes::new(nodes).unwrap()).unwrap();
+    let surface = ShapeLimitSurface::new(points, 1.0).unwrap();
+    for i in 0..4000 {
+        let force = [part(i, 0.754_877_666_25), part(i, 0.569_840_290_99)];
+        let length = surface.radius * libm::pow(10.0, 2.5 + 2.5 * part(i, 0.549_700_477_9));
+        let torque = length * libm::pow(10.0, 2.0 + 2.0 * part(i, 0.445_041_867_9));
+        let push = Wrench::new(force[0], force[1], torque);
+        let near = surface.project_with_length(&push, length).wrench;
+        // No wrench of the set is further along the way to what was asked for.
+        let away = push - near;
+        let twist = Twist::new(away.force.x, away.force.y, away.torque / (length * length));
+        let (carried, most) = (near.power(&twist), surface.support(&twist));
+        let lost = (most - carried) / most;
+        assert!(lost <= 1e-8, "{push:?} {length:e}: {lost:e}");
+    }
+}
+
 /// Projects wrenches onto the set of one triangle, from outside.
 fn projections_stay<R: Real>(corners: [[f64; 3]; 3]) {
     let corners = corners.map(|[x, y, pressure]| {
