@@ -104,7 +104,7 @@ fn split(entries: Vec<Entry>) -> (Vec<Row>, Vec<Task<'static>>) {
 const LEGEND: &str = "\
 Errors are the largest over fixed speeds: `rel F` and `rel T` relative, `of larger` the larger of \
 the two (and of the lateral force) over the larger of F and T, which is the load's scale where T or \
-F passes through zero. `x` is the time in units of the disk's Coulomb table in f64, the median of \
+F passes through zero. `x` is the time in units of the disk's Coulomb form in f64, the median of \
 the rounds' own ratios. `bytes` is what the value holds, with its table; \
 the quadrature and all code are in [firmware.md](firmware.md). Surfaces: the gauge of a \
 point on the surface, the unit normal there, and the projection of a point half a force limit \

@@ -65,7 +65,7 @@ pub fn run(setting: &Setting<'_>) -> Result<Finding, String> {
             row.error[0].max(ROUNDING),
         ),
     });
-    let axes = ["time, of the disk's table", "largest error, of μN and μN R"];
+    let axes = ["time, of the disk's form", "largest error, of μN and μN R"];
     let title = "Coulomb friction of flat feet";
     picture::scatter(setting.out, "polygons", title, axes, places.collect())?;
     Ok(Finding {
@@ -172,7 +172,7 @@ fn timed(
 const LEGEND: &str = "\
 Force and torque about the centroid for a given twist. The centres of 1000 twists lie 0.01 to 100 radii from the \
 centroid, in every direction, evenly in the logarithm of the distance; times are means over them. `x` is the time in \
-units of the disk's Coulomb table over the same twists, the median of the rounds' own ratios. Errors are of μN and \
+units of the disk's Coulomb form over the same twists, the median of the rounds' own ratios. Errors are of μN and \
 μN R. The closed form in f64 is judged by the tests' table of 150 digits (centres on corners and edges and up to \
 1e16 radii away; torques beyond some radii of the centroid carry the rounding of the twist's own coordinates), all \
 other methods by the closed form. Linear pressure is judged under the slopes of the table, which go up to 0.99 of the \
@@ -238,7 +238,7 @@ fn line(rows: &[Row], samples: &Samples) -> String {
     });
     let (count, ratio, error) = nodes.unwrap_or((0, f64::NAN, f64::NAN));
     format!(
-        "A square costs {} times the disk's table with an error of {}; {count} nodes cost {} times it and err by {}. \
+        "A square costs {} times the disk's form with an error of {}; {count} nodes cost {} times it and err by {}. \
          The ellipsoid errs by up to {}.",
         short(closed),
         short(exact),

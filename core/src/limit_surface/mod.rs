@@ -43,7 +43,7 @@
 //!
 //! | set | metric | accuracy | time | where |
 //! |---|---|---|---|---|
-//! | round patch, exact | any length | 1e-15 of the limits; 5 ε of the surface | 6 ns inside, 132 to 144 ns; 4 and 55 to 72 ns in a batch | [`RoundLimitSurface`] |
+//! | round patch, exact | any length | 1e-15 of the limits; 5 ε of the surface | 7 ns inside, 145 ns; 2 and 38 to 41 ns in a batch (f32: 1.4 and 13) | [`RoundLimitSurface`] |
 //! | ellipsoid | any length | rounding | 6 ns inside, 104 to 129 ns | [`LimitEllipsoid`] |
 //! | polygons, bars, meshes, points, several bodies | any length | 1e-13 of the limits; for points 1e-8 of the wrench, in the set to 16 ε | about 5 wrenches with Jacobian | [`ShapeLimitSurface`] |
 //! | discs, one for each mode, under a held bound | masses, which are equal along both tangents | 4 ulp of the length | 14 to 21 ns with the rest of a contact, four at a time | [`crate::contact::IndependentFriction`]; in lanes, to its bits, `cd/vectors` of `tribos-contacts` |

@@ -1,23 +1,25 @@
 //! Section 4.6: which choices, stated or not, give the thesis' porosities and stresses together.
 
+mod claims;
+mod figure;
+
 use super::stress::TABLE;
 use crate::exhibit::Exhibit;
-use crate::runs::{Case, Runs, System};
+use crate::runs::Runs;
 use crate::text::Text;
 use anyhow::Result;
+use claims::claims;
+use figure::figure;
 use std::path::Path;
 use tribos::record::{OtherColumns, Rows};
-use tribos::scene::WallLaw;
 use tribos::statistics::statistics;
-use tribos_report::claim::Claim;
-use tribos_report::figure::{Axis, Figure, Legend, Panels, ReferenceLine, Series};
 
 const TEXT: Text = Text(include_str!("section-4.6-choices.md"));
 
 /// The kept table with the commands that made it.
 const KEPT: &str = include_str!("choices/runs.csv");
 const NUMBERS: usize = 8;
-const COLUMNS: [&str; NUMBERS + 3] = [
+const COLUMNS: [&str; NUMBERS + 2] = [
     "mu",
     "pressure",
     "cohesion_range",
@@ -27,7 +29,6 @@ const COLUMNS: [&str; NUMBERS + 3] = [
     "porosity_final",
     "stress_zz_plus",
     "wall_contact",
-    "warm_start",
     "ending",
 ];
 
@@ -57,8 +58,10 @@ const JUDGED: [Choice; 4] = [
     Choice::new(0.2, 2.0, 1e-4, false),
     Choice::new(0.3, 2.0, 1e-4, true),
 ];
-/// Shares of the last step's forces.
-const SHARES: [f64; 3] = [1.0, 0.5, 0.0];
+/// Ranges of cohesion, in R.
+const RANGES: [f64; 3] = [1e-4, 1e-3, 1e-2];
+/// Groups whose logarithms are this near count as equal.
+const SAME_GROUP: f64 = 0.08;
 
 /// What a compaction is made with beside its friction torques.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,8 +70,6 @@ struct Choice {
     pressure: f64,
     range: f64,
     is_smooth: bool,
-    /// Share of the last step's forces that a step starts from.
-    warm: f64,
 }
 
 impl Choice {
@@ -79,12 +80,7 @@ impl Choice {
             pressure: times * PRINTED_PRESSURE,
             range,
             is_smooth,
-            warm: 1.0,
         }
-    }
-
-    fn warm(self, warm: f64) -> Self {
-        Self { warm, ..self }
     }
 
     /// μ F_coh/(P R²): what friction of a bond holds against the load on a square radius.
@@ -94,9 +90,9 @@ impl Choice {
 
     fn words(&self) -> String {
         let walls = if self.is_smooth { "smooth" } else { "rough" };
-        let times = self.pressure / PRINTED_PRESSURE;
+        let times = (1e3 * self.pressure / PRINTED_PRESSURE).round() / 1e3;
         format!(
-            "μ = {}, {times:.3} P, d_c = {:e} R, {walls} walls",
+            "μ = {}, {times} P, d_c = {:e} R, {walls} walls",
             self.mu, self.range
         )
     }
@@ -126,13 +122,8 @@ impl Table {
         let (mut lines, mut row) = (Vec::new(), [0.0; NUMBERS]);
         while rows.next(&mut row)?.is_some() {
             let [mu, pressure, range, rolling, torsion, seed, porosity, plus] = row;
-            let [walls, warm, ending] = rows.words() else {
+            let [walls, ending] = rows.words() else {
                 continue;
-            };
-            let warm = match warm.as_str() {
-                "on" => 1.0,
-                "off" => 0.0,
-                share => share.parse()?,
             };
             lines.push(Line {
                 choice: Choice {
@@ -140,7 +131,6 @@ impl Table {
                     pressure,
                     range,
                     is_smooth: walls == "smooth",
-                    warm,
                 },
                 pair: [rolling, torsion],
                 seed,
@@ -194,6 +184,34 @@ impl Table {
         each.sum()
     }
 
+    /// Largest difference of E(1,1) between choices with one group and one kind of walls, and the span of all: ranges
+    /// that the load of the piston's pressure does not close.
+    fn collapse(&self, judged: &[(Choice, f64)]) -> [f64; 2] {
+        let [.., (both, _)] = CORNERS;
+        let far = judged
+            .iter()
+            .map(|(choice, _)| choice)
+            .filter(|choice| choice.range > RANGES[0]);
+        let all: Vec<(&Choice, f64)> = far
+            .filter_map(|choice| Some((choice, self.porosity(choice, both)?.0)))
+            .collect();
+        let (mut apart, mut span) = (0.0_f64, 0.0_f64);
+        for (a, one) in &all {
+            for (b, other) in &all {
+                let difference = (one - other).abs();
+                span = span.max(difference);
+                let is_same =
+                    a.is_smooth == b.is_smooth && (a.group() / b.group()).ln().abs() < SAME_GROUP;
+                apart = if is_same {
+                    apart.max(difference)
+                } else {
+                    apart
+                };
+            }
+        }
+        [apart, span]
+    }
+
     /// What the corners have more than the pairs from which on the thesis calls them saturated, in points.
     fn rises(&self, choice: &Choice) -> Option<[f64; 2]> {
         let rise = |[from, to]: [[f64; 2]; 2]| {
@@ -226,9 +244,8 @@ impl Table {
 /// The set of choices.
 pub fn section_4_6_choices(runs: &Runs) -> Result<Exhibit> {
     let table = Table::kept()?;
-    let warm = |choice: &Choice| choice.warm == 1.0;
     let mut judged: Vec<(Choice, f64)> = Vec::new();
-    for choice in table.choices().into_iter().filter(warm) {
+    for choice in table.choices() {
         judged.extend(table.misfit(&choice).map(|misfit| (choice, misfit)));
     }
     judged.sort_by(|a, b| a.1.total_cmp(&b.1));
@@ -247,7 +264,6 @@ pub fn section_4_6_choices(runs: &Runs) -> Result<Exhibit> {
             "pressure",
             "cohesion_range",
             "smooth_walls",
-            "warm_start",
             "group",
             "porosity_00",
             "porosity_01",
@@ -281,240 +297,7 @@ fn row(table: &Table, choice: &Choice) -> Vec<f64> {
         choice.pressure,
         choice.range,
         walls,
-        choice.warm,
         choice.group(),
     ];
     [&made[..], &[a, b, c, d, four, six, eight]].concat()
-}
-
-/// The misfit over the group; porosities and stresses of the judged choices beside the thesis'.
-fn figure(table: &Table, judged: &[(Choice, f64)]) -> Panels {
-    let mut over = Figure::new(
-        "Four porosities",
-        Axis::log10("μ F_coh/(P R²)"),
-        Axis::log10("χ²"),
-    );
-    for is_smooth in [true, false] {
-        for range in [1e-4, 1e-3, 1e-2] {
-            let of = |(choice, _): &&(Choice, f64)| {
-                choice.is_smooth == is_smooth && choice.range == range
-            };
-            let points = judged
-                .iter()
-                .filter(of)
-                .map(|(choice, misfit)| (choice.group(), *misfit));
-            let walls = if is_smooth { "smooth" } else { "rough" };
-            over = over.series(Series::points(
-                format!("{range:e} R, {walls}"),
-                points.collect(),
-            ));
-        }
-    }
-    let over = over.guide(ReferenceLine::horizontal(LIMITS[0], "95 %"));
-    let porosities = beside(
-        "Porosities",
-        "final porosity [%]",
-        &CORNERS.map(|(pair, thesis)| (pair, thesis)),
-        |choice, pair| table.porosity(choice, pair).map(|found| found.0),
-    );
-    let lines = TABLE.map(|[rolling, torsion, plus, _]| ([rolling, torsion], plus));
-    let stresses = beside(
-        "Stress of pushing contacts",
-        "σ_zz⁺/P",
-        &lines,
-        |choice, pair| {
-            table
-                .of(choice, pair, |line| line.plus)
-                .map(|found| found.0)
-        },
-    );
-    let shares = SHARES.into_iter().fold(
-        Figure::new(
-            "Shares of a warm start",
-            names(&lines),
-            Axis::linear("σ_zz⁺/P"),
-        )
-        .series(thesis(&lines)),
-        |figure, share| {
-            let choice = JUDGED[3].warm(share);
-            let of = |pair| {
-                table
-                    .of(&choice, pair, |line| line.plus)
-                    .map(|found| found.0)
-            };
-            figure.series(Series::line_points(
-                format!("share {share}"),
-                placed(&lines, of),
-            ))
-        },
-    );
-    Panels::new("", 2)
-        .cell(620, 420)
-        .figure(over)
-        .figure(porosities)
-        .figure(stresses)
-        .figure(shares)
-}
-
-fn names(lines: &[([f64; 2], f64)]) -> Axis {
-    let names = lines
-        .iter()
-        .map(|([rolling, torsion], _)| format!("({rolling}, {torsion})"));
-    Axis::named("(μ_t, μ_n)", names.collect())
-}
-
-fn thesis(lines: &[([f64; 2], f64)]) -> Series {
-    let points = lines
-        .iter()
-        .enumerate()
-        .map(|(at, (_, value))| (1.0 + at as f64, *value));
-    Series::line_points("thesis", points.collect())
-}
-
-fn placed(lines: &[([f64; 2], f64)], of: impl Fn([f64; 2]) -> Option<f64>) -> Vec<(f64, f64)> {
-    let places = lines.iter().enumerate();
-    places
-        .filter_map(|(at, (pair, _))| Some((1.0 + at as f64, of(*pair)?)))
-        .collect()
-}
-
-/// The thesis' numbers, and those of each judged choice.
-fn beside(
-    title: &str,
-    label: &str,
-    lines: &[([f64; 2], f64)],
-    of: impl Fn(&Choice, [f64; 2]) -> Option<f64>,
-) -> Figure {
-    let figure = Figure::new(title, names(lines), Axis::linear(label)).legend(Legend::default());
-    JUDGED
-        .iter()
-        .fold(figure.series(thesis(lines)), |figure, choice| {
-            figure.series(Series::line_points(
-                choice.words(),
-                placed(lines, |pair| of(choice, pair)),
-            ))
-        })
-}
-
-/// "54.8 63.9 73.3 82.2 %".
-fn corners(table: &Table, choice: &Choice) -> String {
-    let shown = CORNERS.map(|(pair, _)| {
-        table
-            .porosity(choice, pair)
-            .map_or(f64::NAN, |found| found.0)
-    });
-    format!(
-        "{} %",
-        shown.map(|porosity| format!("{porosity:.1}")).join(", ")
-    )
-}
-
-fn claims(runs: &Runs, table: &Table, judged: &[(Choice, f64)]) -> Result<Vec<Claim>> {
-    let [four, six, eight] = LIMITS;
-    let compatible: Vec<&Choice> = judged
-        .iter()
-        .filter(|(_, misfit)| *misfit < four)
-        .map(|(choice, _)| choice)
-        .collect();
-    let ends = |of: fn(&Choice) -> f64| {
-        let values = compatible.iter().map(|choice| of(choice));
-        values.fold([f64::INFINITY, 0.0_f64], |[least, most], x| {
-            [least.min(x), most.max(x)]
-        })
-    };
-    let [loosest, tightest] = ends(Choice::group);
-    let [weakest, strongest] = ends(|choice| choice.mu);
-    let [light, heavy] = ends(|choice| choice.pressure / PRINTED_PRESSURE);
-    let is_printed = |choice: &Choice| choice.mu == 0.3 && choice.pressure == PRINTED_PRESSURE;
-    let printed = judged.iter().find(|(choice, _)| is_printed(choice));
-    let (nearest, misfit) = printed.map_or((JUDGED[0], f64::NAN), |found| *found);
-    let mut claims = vec![
-        Claim::own_statement(
-            TEXT.said("printed"),
-            format!(
-                "χ² = {misfit:.0} at best, {}: {}",
-                nearest.words(),
-                corners(table, &nearest)
-            ),
-            misfit > four,
-        ),
-        Claim::own_statement(
-            TEXT.said("compatible").with("limit", four),
-            format!("{} of {}", compatible.len(), judged.len()),
-            !compatible.is_empty() && compatible.iter().all(|choice| !is_printed(choice)),
-        ),
-        Claim::own_statement(
-            TEXT.said("group"),
-            format!("{loosest:.0} to {tightest:.0}"),
-            tightest < 0.3 / PRINTED_PRESSURE && loosest > 0.2 * tightest,
-        ),
-        Claim::own_statement(
-            TEXT.said("not-apart"),
-            format!(
-                "μ from {weakest} to {strongest}, pressures from {light} to {heavy} times the printed one"
-            ),
-            weakest < strongest && light < heavy,
-        ),
-    ];
-    for choice in &JUDGED[1..] {
-        let misfit = table.whole_misfit(choice).unwrap_or(f64::NAN);
-        let rises = table.rises(choice).unwrap_or([f64::NAN; 2]);
-        claims.push(
-            Claim::own_statement(
-                TEXT.said("whole")
-                    .with("choice", choice.words())
-                    .with("limit", six),
-                format!(
-                    "χ² = {misfit:.1}: {}; from 0.4 to 1 {:+.1} and {:+.1} points",
-                    corners(table, choice),
-                    rises[0],
-                    rises[1]
-                ),
-                misfit < six,
-            )
-            .uncertain("five deposits"),
-        );
-    }
-    let stresses = SHARES.map(|share| {
-        table
-            .stress_misfit(&JUDGED[3].warm(share))
-            .unwrap_or(f64::NAN)
-    });
-    let shown = stresses.map(|misfit| format!("{misfit:.0}"));
-    let least = stresses.into_iter().fold(f64::INFINITY, f64::min);
-    claims.push(
-        Claim::own_statement(
-            TEXT.said("stress")
-                .with("choice", JUDGED[3].words())
-                .with("limit", eight),
-            format!("χ² = {} with shares of 1, 0.5, 0", shown.join(", ")),
-            least > eight,
-        )
-        .uncertain("five deposits"),
-    );
-    claims.extend(repeated(runs, table)?);
-    Ok(claims)
-}
-
-/// A line of the table, run again.
-fn repeated(runs: &Runs, table: &Table) -> Result<Option<Claim>> {
-    let Choice {
-        mu,
-        pressure,
-        range,
-        ..
-    } = JUDGED[3];
-    let keys = format!("mu={mu},pressure={pressure},cohesion_range={range},wall=smooth");
-    let case = Case::new(System::Small, [0.0; 2], 1).with(&keys, |scene| {
-        (scene.mu, scene.pressure, scene.cohesion_range) = (mu, pressure, range);
-        scene.wall_contact = WallLaw::Smooth;
-    });
-    let ours = 100.0 * runs.one(&case)?.outcome.porosity_final;
-    let is_it =
-        |line: &&Line| line.choice == JUDGED[3] && line.pair == [0.0; 2] && line.seed == 1.0;
-    Ok(table
-        .0
-        .iter()
-        .find(is_it)
-        .map(|line| Claim::own(TEXT.said("repeated"), ours, line.porosity, 0.5)))
 }
