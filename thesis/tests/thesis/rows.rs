@@ -120,6 +120,7 @@ fn files(ending: &str) -> std::io::Result<Vec<(String, String)>> {
     let all = concat!(env!("CARGO_MANIFEST_DIR"), "/src/exhibits");
     for folder in [
         all.to_owned(),
+        format!("{all}/choices"),
         format!("{all}/outlook"),
         format!("{all}/porosity"),
     ] {
