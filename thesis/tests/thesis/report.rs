@@ -115,7 +115,7 @@ fn the_whole_report_is_made_and_no_comparison_fails() -> Outcome {
     the_page_is_shown(&folder.join("index.html"))
 }
 
-/// The rows of claims.csv: exhibit, place, claim, thesis, ours, uncertainty, difference, verdict,
+/// The rows of claims.csv: exhibit, id, place, claim, thesis, ours, uncertainty, difference, z, verdict,
 /// evidence.
 struct Claims(Vec<Vec<String>>);
 
@@ -127,13 +127,13 @@ impl Claims {
             inside.map(str::to_owned).collect::<Vec<String>>()
         };
         let rows: Vec<Vec<String>> = text.lines().skip(1).map(fields).collect();
-        assert!(rows.iter().all(|row| row.len() == 9));
+        assert!(rows.iter().all(|row| row.len() == 11));
         Ok(Self(rows))
     }
 
     /// How many rows have this verdict.
     fn count(&self, verdict: &str) -> usize {
-        self.0.iter().filter(|row| row[7] == verdict).count()
+        self.0.iter().filter(|row| row[9] == verdict).count()
     }
 
     /// A row that changes its verdict has to be looked at.
@@ -155,11 +155,11 @@ impl Claims {
     }
 
     fn reproduced_rows_have_a_number_and_an_allowance(&self) -> Outcome {
-        for row in self.0.iter().filter(|row| row[7] == "reproduced") {
-            assert!(!row[1].is_empty() && !row[3].is_empty(), "{row:?}");
-            let allowance = row[8].strip_prefix("± ").ok_or("no allowance")?;
+        for row in self.0.iter().filter(|row| row[9] == "reproduced") {
+            assert!(!row[2].is_empty() && !row[4].is_empty(), "{row:?}");
+            let allowance = row[10].strip_prefix("± ").ok_or("no allowance")?;
             let (allowance, reason) = allowance.split_once(": ").ok_or("no reason")?;
-            let (allowance, difference): (f64, f64) = (allowance.parse()?, row[6].parse()?);
+            let (allowance, difference): (f64, f64) = (allowance.parse()?, row[7].parse()?);
             // Both are shown with two digits.
             assert!(difference <= 1.05 * allowance, "{row:?}");
             assert!(!reason.is_empty(), "{row:?}");
