@@ -9,6 +9,9 @@ use std::fmt::Display;
 /// One statement and its verdict.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Claim {
+    /// Name of the statement in its list. Rows of one name and place are one statement for several
+    /// models or parameters.
+    pub id: String,
     /// Section, equation or figure of the thesis; empty for our own statements.
     pub place: String,
     /// The statement.
@@ -21,9 +24,14 @@ pub struct Claim {
     pub uncertainty: String,
     /// Difference between the two numbers, or between ours and its reference.
     pub difference: String,
+    /// The difference in combined standard deviations; empty if neither number is random.
+    pub z: String,
     /// Our judgement.
     pub verdict: Verdict,
 }
+
+/// Samples below which a mean decides little.
+pub const ENOUGH_SAMPLES: u64 = 5;
 
 /// Meaning of a number that is not reproduced.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +45,8 @@ pub enum MismatchMeaning {
 /// The words of a row.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Statement {
+    /// Its name in the list that it is from, if there is one.
+    pub id: String,
     /// Where the thesis makes it: section, equation, figure; empty for our own.
     pub place: String,
     /// The statement itself.
@@ -55,7 +65,12 @@ impl Statement {
         let (place, rest) = placed.unwrap_or(("", words));
         let (text, basis) = rest.split_once(" — ").unwrap_or((rest, ""));
         let [place, text, basis] = [place, text, basis].map(|part| part.trim().to_owned());
-        Self { place, text, basis }
+        Self {
+            id: String::new(),
+            place,
+            text,
+            basis,
+        }
     }
 
     /// With a value in place of `{name}`.
@@ -63,6 +78,7 @@ impl Statement {
         let (name, value) = (format!("{{{name}}}"), value.to_string());
         let fill = |text: String| text.replace(&name, &value);
         Self {
+            id: self.id,
             place: fill(self.place),
             text: fill(self.text),
             basis: fill(self.basis),
@@ -73,12 +89,14 @@ impl Statement {
 impl Claim {
     fn new(statement: Statement, ours: String, verdict: Verdict) -> Self {
         Self {
+            id: statement.id,
             place: statement.place,
             statement: statement.text,
             thesis: String::new(),
             ours,
             uncertainty: String::new(),
             difference: String::new(),
+            z: String::new(),
             verdict,
         }
     }
@@ -214,6 +232,21 @@ impl Claim {
         }
     }
 
+    /// With the distance of two random numbers in √(σ² + σ_thesis²), the mean of `samples` runs of ours
+    /// from the thesis'; of less than [`ENOUGH_SAMPLES`] it is called underpowered.
+    pub fn apart(self, difference: f64, [ours, thesis]: [f64; 2], samples: u64) -> Self {
+        let power = if samples < ENOUGH_SAMPLES {
+            ", underpowered"
+        } else {
+            ""
+        };
+        let z = difference.abs() / ours.hypot(thesis);
+        Self {
+            z: format!("{z:.1}{power}"),
+            ..self
+        }
+    }
+
     /// One row of the comparison table.
     pub(super) fn row(&self) -> String {
         let or_dash = |text: &str| {
@@ -234,8 +267,12 @@ impl Claim {
                 format!("{ours} <span class=\"place\">{uncertainty}</span>")
             }
         };
+        let z = match self.z.as_str() {
+            "" => String::new(),
+            z => format!(" <span class=\"place\">z = {}</span>", inline(z)),
+        };
         format!(
-            "<tr><td>{place}{}</td><td>{}</td><td>{ours}</td><td>{}</td><td>{}</td></tr>\n",
+            "<tr><td>{place}{}</td><td>{}</td><td>{ours}</td><td>{}{z}</td><td>{}</td></tr>\n",
             inline(&self.statement),
             or_dash(&self.thesis),
             or_dash(&self.difference),
@@ -271,6 +308,17 @@ mod tests {
         for strange in [0.60, 0.75, f64::NAN] {
             assert_eq!(verdict(strange), Verdict::Failed);
         }
+    }
+
+    #[test]
+    fn two_random_numbers_are_compared_in_their_combined_deviation() {
+        let z = |samples| {
+            let statement = Statement::parse("(1): a — order");
+            Claim::trend(statement, "", true)
+                .apart(-10.0, [3.0, 4.0], samples)
+                .z
+        };
+        assert_eq!([z(5), z(4)], ["2.0", "2.0, underpowered"]);
     }
 
     #[test]

@@ -37,13 +37,18 @@ pub enum Allowance {
     Digits(f64),
     /// An error that the thesis states, with the place of the statement.
     StatedError(f64, String),
+    /// The thesis has one random sample: two standard deviations of single samples of ours.
+    Scatter(f64),
 }
 
 impl Allowance {
     /// Largest difference allowed.
     pub fn size(&self) -> f64 {
         match self {
-            Self::Exact(size) | Self::Digits(size) | Self::StatedError(size, _) => *size,
+            Self::Exact(size)
+            | Self::Digits(size)
+            | Self::StatedError(size, _)
+            | Self::Scatter(size) => *size,
         }
     }
 
@@ -58,6 +63,10 @@ impl Allowance {
             Self::Exact(_) => "exact value, up to our numerical error".into(),
             Self::Digits(_) => "half a unit of the last printed digit".into(),
             Self::StatedError(_, place) => format!("error stated in {place}"),
+            Self::Scatter(_) => {
+                "scatter: two standard deviations of single samples, of which the thesis has one"
+                    .into()
+            }
         }
     }
 }

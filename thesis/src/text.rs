@@ -57,7 +57,14 @@ impl Text {
                 let end = item.find([' ', ':']).unwrap_or(item.len());
                 let (id, words) = item.split_at(end);
                 let words = words.trim_start_matches(':').trim_start();
-                (id.to_owned(), Statement::parse(words))
+                let id = id.to_owned();
+                (
+                    id.clone(),
+                    Statement {
+                        id,
+                        ..Statement::parse(words)
+                    },
+                )
             })
             .collect()
     }

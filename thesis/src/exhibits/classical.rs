@@ -23,8 +23,10 @@ const AGES: (f64, f64) = (1.0, 345_600.0);
 /// Hardness of steel, Pa, and the load on the steel cube, N (footnote 2).
 const HARDNESS: f64 = 1e9;
 const LOAD: f64 = 100.0;
-/// Edge of the steel cube, m.
+/// Edge of the steel cube, m; density of steel, kg/m³; gravity, m/s².
 const EDGE: f64 = 0.1;
+const STEEL: f64 = 7850.0;
+const GRAVITY: f64 = 9.81;
 
 fn wood() -> Result<DryFriction<f64>> {
     Ok(DryFriction::new(MU_STATIC, MU_DYNAMIC)?)
@@ -174,6 +176,7 @@ fn real_area() -> Result<Vec<Claim>> {
     let double = force(2.0 * LOAD) / force(LOAD);
     let share = area / (EDGE * EDGE);
     let ratio = force(LOAD) / LOAD;
+    let weight = STEEL * EDGE.powi(3) * GRAVITY;
     Ok(vec![
         Claim::definition(
             TEXT.said("steel-area"),
@@ -187,6 +190,15 @@ fn real_area() -> Result<Vec<Claim>> {
             (share - 1e-5).abs() <= 1e-20,
         )
         .printed("1e-5"),
+        Claim::trend(
+            TEXT.said("cube"),
+            format!(
+                "{weight:.0} N, {:.3} mm²",
+                1e6 * plastic_area(weight, HARDNESS)
+            ),
+            (LOAD / 1.5..LOAD * 1.5).contains(&weight),
+        )
+        .printed("100"),
         Claim::definition(
             TEXT.said("plastic-coefficient"),
             short(ratio),

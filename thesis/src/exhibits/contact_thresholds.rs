@@ -6,7 +6,6 @@ use anyhow::Result;
 use tribos_core::contact::Attraction;
 use tribos_report::claim::Claim;
 use tribos_report::digits::short;
-use tribos_report::verdict::Allowance;
 
 /// Normal forces under which thresholds are measured, in F_coh: nearly open, pulled, free, pressed.
 const LOADS: [f64; 5] = [-0.9, -0.5, 0.0, 1.0, 10.0];
@@ -83,13 +82,14 @@ fn lever(radii: [f64; 2]) -> Result<f64> {
 
 /// r_eff of equal and of unequal spheres.
 pub fn levers() -> Result<[Claim; 2]> {
+    let equal = lever([1.0, 1.0])?;
     Ok([
-        Claim::stated(
+        Claim::definition(
             FIGURE_4_3.said("lever-of-equals"),
-            ("1/2", 0.5),
-            lever([1.0, 1.0])?,
-            Allowance::Exact(1e-12),
-        ),
+            short(equal),
+            (equal - 0.5).abs() <= 1e-12,
+        )
+        .printed("1/2"),
         Claim::own(
             FIGURE_4_3.said("lever"),
             lever([1.0, 2.0])?,

@@ -147,11 +147,18 @@ fn closed_forms() -> Result<Vec<Claim>> {
         [wrench.force, wrench.torque]
     };
     let integral = deviation(&geometric(1e-3, 1e3, 400), numeric, |ratio| at(&dry, ratio));
+    let cubic_table = table(3.0)?;
+    let cubic = deviation(
+        &geometric(1e-3, 1e3, 400),
+        |ratio| [ratio.powi(3) + ratio, ratio * ratio + 1.0 / 3.0],
+        |ratio| at(&cubic_table, ratio),
+    );
     // The printed forms lose digits like ε⁻² and ε⁴ towards the ends.
     Ok(vec![
         Claim::formula(TEXT.said("cases"), two, 1e-10),
         Claim::formula(TEXT.said("single-form"), one, 1e-10),
         Claim::formula(TEXT.said("integrals"), integral, 1e-8),
+        Claim::formula(TEXT.said("cubic"), cubic, 1e-13),
     ])
 }
 
@@ -178,6 +185,7 @@ fn statements(rows: &[Vec<f64>]) -> Result<Vec<Claim>> {
             format!("F < 1 and T < 2/3 at {} ratios", rows.len()),
             reduced,
         ),
+        reduced_range()?,
         Claim::trend(
             TEXT.said("other-exponents"),
             "at 401 ratios for α = 0, 0.25, 0.5, 0.75, 1.5, 2, 3",
@@ -194,6 +202,33 @@ fn statements(rows: &[Vec<f64>]) -> Result<Vec<Claim>> {
         ),
         Claim::not_checkable(TEXT.said("measured-disk")),
     ])
+}
+
+/// Where force and torque both lose a hundredth or more of their largest values.
+fn reduced_range() -> Result<Claim> {
+    const LOSS: f64 = 0.01;
+    let dry = table(0.0)?;
+    let shares = |ratio: f64| {
+        let [force, torque] = at(&dry, ratio);
+        [1.0 - force, 1.0 - 1.5 * torque]
+    };
+    let both: Vec<f64> = geometric(1e-3, 1e3, 10_000)
+        .into_iter()
+        .filter(|&ratio| shares(ratio).iter().all(|&loss| loss >= LOSS))
+        .collect();
+    let (low, high) = match (both.first(), both.last()) {
+        (Some(first), Some(last)) => (*first, *last),
+        _ => (f64::NAN, f64::NAN),
+    };
+    let ends = [shares(1e-2)[1], shares(1e2)[0]];
+    Ok(Claim::refutation(
+        TEXT.said("range"),
+        format!(
+            "{low:.3} to {high:.2}; at 10⁻² the torque loses {:.1e}, at 10² the force {:.1e}",
+            ends[0], ends[1]
+        ),
+        low > 0.1 && high < 10.0 && ends.iter().all(|&loss| loss < 1e-4),
+    ))
 }
 
 /// For exponents of the thesis other than 0 and 1.

@@ -2,17 +2,20 @@
 
 use super::curling::{SPINS, TEXT, short_metres};
 use super::heat;
-use super::rock::{DRAW, dry, pivot, shot, spin_for_a_metre};
+use super::rock::{DRAW, SLOW, dry, pivot, shot, spin_for_a_metre};
 use crate::reference_integration::Points;
 use anyhow::Result;
 use std::f64::consts::{PI, TAU};
-use tribos::slide::curling::{BackHeavy, CurlingModel, IceLaw, LeftRight};
+use tribos::slide::curling::{BackHeavy, CurlingModel, CurlingRock, IceLaw, LeftRight};
 use tribos_report::claim::Claim;
+use tribos_report::digits::short;
 use tribos_report::verdict::Allowance;
 
 const ICE: IceLaw = IceLaw::PENNER;
 /// Launch of a draw that stops after 28.35 m without spin under the law measured in draws, m/s.
 const DRAW_LAW_LAUNCH: f64 = 2.0131;
+/// 28 m in 20 s, m/s.
+const MEAN: f64 = 1.4;
 /// Rounding of a sum over 720 points, of the force.
 const ROUNDING: f64 = 1e-13;
 
@@ -21,6 +24,7 @@ pub(super) fn statements() -> Result<Vec<Claim>> {
     let mut claims = asymmetries()?;
     claims.extend([no_lateral_force(), pivots()?]);
     claims.extend(draws()?);
+    claims.extend([launch_ratios(), unit_of_coefficient()]);
     claims.extend(heat_balance());
     Ok(claims)
 }
@@ -103,7 +107,14 @@ fn draws() -> Result<Vec<Claim>> {
     let (few, many) = (few?.angle / TAU, many?.angle / TAU);
     let measured = shot(&LeftRight { ice: IceLaw::DRAW }, (DRAW_LAW_LAUNCH, 0.0))?;
     let [near, far] = [straight.position[0], spinner.position[0]];
+    let slower = shot(&plain, (MEAN, 0.0))?.position[0];
     Ok(vec![
+        Claim::refutation(
+            TEXT.said("launch"),
+            format!("{slower:.1} m from 1.4 m/s, {near:.1} m from {DRAW:.2} m/s"),
+            slower < 14.0 && near > 28.0,
+        )
+        .printed("1.4"),
         Claim::trend(
             TEXT.said("spinner"),
             format!("{near:.2} m and {far:.2} m"),
@@ -123,6 +134,37 @@ fn draws() -> Result<Vec<Claim>> {
         .printed("≈ 20 s"),
         Claim::not_checkable(TEXT.said("polished")),
     ])
+}
+
+/// v/(ωR) of both shots at their launch, on the band.
+fn launch_ratios() -> Claim {
+    let ratio = |(speed, spin): (f64, f64)| speed / (spin * CurlingRock::STANDARD.band_radius);
+    let (draw, slow) = (ratio((DRAW, SPINS[2])), ratio(SLOW));
+    Claim::trend(
+        TEXT.said("launch-ratios"),
+        format!("{draw:.0} or more, and {slow:.2}"),
+        draw > 10.0 && slow < 0.2,
+    )
+}
+
+/// γ of the slow shots, 0.0103 with v in m/s and α = −0.75, taken to km/h.
+fn unit_of_coefficient() -> Claim {
+    const SLOW_LAW: (f64, f64) = (0.0103, -0.75);
+    /// km/h of one m/s.
+    const UNIT: f64 = 3.6;
+    let (gamma, alpha) = SLOW_LAW;
+    // μ at 1 m/s, where the unit of γ is that of v to this power.
+    let with_unit = |power: f64| gamma * UNIT.powf(power) * UNIT.powf(alpha);
+    let (right, printed) = (with_unit(-alpha), with_unit(alpha));
+    Claim::refutation(
+        TEXT.said("unit"),
+        format!(
+            "{} and, with the unit as printed, {}",
+            short(right),
+            short(printed)
+        ),
+        (right / gamma - 1.0).abs() < 1e-14 && printed < 0.2 * gamma,
+    )
 }
 
 /// Eq. 3.39's exponent, and what its coefficient would need.

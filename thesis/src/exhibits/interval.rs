@@ -166,6 +166,27 @@ fn look(exponents: impl Iterator<Item = f64>) -> Result<PointCounts> {
     Ok(found)
 }
 
+/// C of fixed points at both ends of ε, for α from 1.5 to 9.
+fn broadens() -> Result<Claim> {
+    let widths = linear(1.5, 9.0, 15).into_iter().map(|alpha| {
+        let modes = modes(alpha, 0.5)?;
+        Ok([FAR, 1.0 / FAR].map(|ratio| modes.inertia_ratio_of(ratio)))
+    });
+    let ends = widths.collect::<Result<Vec<[f64; 2]>>>()?;
+    let steps = || {
+        ends.windows(2)
+            .map(|w| [w[1][0] - w[0][0], w[1][1] - w[0][1]])
+    };
+    let even = steps().all(|[upper, lower]| (upper - 0.125).abs() < 1e-6 && lower < 0.0);
+    let [first, last] =
+        [ends.first(), ends.last()].map(|end| end.map_or(f64::NAN, |c| c[0] - c[1]));
+    Ok(Claim::trend(
+        FIGURE_3_10.said("broadens"),
+        format!("width {first:.3} at α = 1.5, {last:.3} at 9"),
+        even && last > first,
+    ))
+}
+
 /// The thesis' half of the plane, and negative exponents.
 fn plane_claims() -> Result<Vec<Claim>> {
     let exponents = || linear(-0.9, 9.0, 99).into_iter();
@@ -184,6 +205,7 @@ fn plane_claims() -> Result<Vec<Claim>> {
         row("regions", positive.right),
         row("single", positive.single),
         row("stability", positive.fitting),
+        broadens()?,
         Claim::own_statement(
             FIGURE_3_10.said("negative"),
             format!("{right} of {points} points of the plane, −0.9 ≤ α < 0"),

@@ -61,6 +61,46 @@ fn even_powers_of_the_sine() -> Claim {
     Claim::erratum(TEXT.said("sine"), ("π", PI), (integral, 0.75 * PI))
 }
 
+/// Signs and letters of single lines, each against the line after it.
+fn misprints() -> Result<[Claim; 3]> {
+    /// Points of the circle: exact for the square of the cosine.
+    const POINTS: u32 = 64;
+    /// Radius at which A.4 is compared, with φ = π/2.
+    const RADIUS: f64 = 0.5;
+    let step = 2.0 * PI / f64::from(POINTS);
+    let squares = (0..POINTS).map(|i| (f64::from(i) * step).cos().powi(2));
+    // Without the component along e_v there is only r cos φ · ṽ² · r cos φ, over the disk.
+    let square = RATIO * RATIO;
+    let half_a_torque = square / 4.0 + 1.0 / 6.0;
+    // n = 1: the sum of both k, and ε² + r² − 2 ε r.
+    let line: f64 = [0, 1]
+        .map(|k| {
+            let terms = RADIUS.powi(2 - 2 * k) + (-2.0 * RATIO * RADIUS).powi(k);
+            square.powi(1 - k) * terms
+        })
+        .iter()
+        .sum();
+    let [_, torque] = at(&table(3.0)?, RATIO);
+    let binomial = (RATIO - RADIUS).powi(2);
+    Ok([
+        Claim::erratum(
+            TEXT.said("cosine"),
+            ("0", 0.0),
+            (squares.sum::<f64>() * step, PI),
+        ),
+        Claim::erratum(
+            TEXT.said("cubic-torque"),
+            (&short(half_a_torque), half_a_torque),
+            (torque, square + 1.0 / 3.0),
+        ),
+        Claim::erratum(
+            TEXT.said("binomial"),
+            (&short(line), line),
+            (square + RADIUS * RADIUS - 2.0 * RATIO * RADIUS, binomial),
+        ),
+    ])
+}
+
 /// Both sums of α = 2n + 1 against the kernel, mended and as printed.
 fn sum_claims(n: u32, alpha: f64, [force, torque]: [f64; 2]) -> Vec<Claim> {
     let (right_force, right_torque) = (force_sum(n, RATIO, true), torque_sum(n, RATIO, 2.0));
@@ -98,6 +138,7 @@ fn sum_claims(n: u32, alpha: f64, [force, torque]: [f64; 2]) -> Vec<Claim> {
 /// The sums against the kernel.
 pub fn appendix_a() -> Result<Exhibit> {
     let mut claims = vec![even_powers_of_the_sine()];
+    claims.extend(misprints()?);
     let mut figure = Figure::new(
         "Odd exponents: force",
         Axis::linear("velocity ratio ε"),

@@ -299,7 +299,7 @@ fn soft_claims(points: &[Point]) -> Vec<Claim> {
             format!("{depth:.3e} R"),
             (depth * k - 1.0).abs() < 0.01,
         ),
-        Claim::contradiction(
+        Claim::own_statement(
             TEXT.said("sticking"),
             format!("{creep:.1e} at most"),
             creep < STILL,

@@ -91,8 +91,51 @@ pub fn figure_5_1() -> Result<Exhibit> {
                 sites.len() == 6330,
             )
             .printed("6330"),
+            unit_of_force(),
+            unit_of_time(),
         ],
     ))
+}
+
+/// Argon and xenon: ε/k_B in K, σ in Å, mass in u (Hirschfelder, Curtiss and Bird 1954, from second
+/// virial coefficients).
+const NOBLE_GASES: [[f64; 3]; 2] = [[119.8, 3.405, 39.948], [221.0, 4.10, 131.293]];
+const BOLTZMANN: f64 = 1.380_649e-23;
+const ATOMIC_MASS: f64 = 1.660_539e-27;
+
+/// ε/σ in N.
+fn unit_of_force() -> Claim {
+    let [argon, xenon] =
+        NOBLE_GASES.map(|[energy, length, _]| BOLTZMANN * energy / (1e-10 * length));
+    // Largest pull of the potential, in ε/σ, at (26/7)^(1/6) σ.
+    const STRONGEST_PULL: f64 = 2.396;
+    Claim::refutation(
+        FIGURE_5_1.said("unit-of-force"),
+        format!(
+            "{:.1} pN for argon, {:.1} pN for xenon",
+            1e12 * argon,
+            1e12 * xenon
+        ),
+        STRONGEST_PULL * argon.max(xenon) < 1e-10,
+    )
+}
+
+/// σ√(m/ε) in s.
+fn unit_of_time() -> Claim {
+    let [argon, xenon] = NOBLE_GASES.map(|[energy, length, mass]| {
+        1e-10 * length * (mass * ATOMIC_MASS / (BOLTZMANN * energy)).sqrt()
+    });
+    Claim::trend(
+        FIGURE_5_1.said("unit-of-time"),
+        format!(
+            "{:.1} ps for argon, {:.1} ps for xenon",
+            1e12 * argon,
+            1e12 * xenon
+        ),
+        [argon, xenon]
+            .iter()
+            .all(|time| (1e-12..1e-11).contains(time)),
+    )
 }
 
 /// Angles over time.

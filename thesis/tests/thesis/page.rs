@@ -8,15 +8,21 @@ use tribos_thesis::document::{claims_csv, lead};
 use tribos_thesis::plan::{cores, left, told};
 
 #[test]
-fn the_first_sentence_counts_every_row_once() {
-    let statement = || Statement::parse("(1): a — order");
-    let stated = |allowance| Claim::stated(statement(), ("0.5", 0.5), 0.5, allowance);
+fn the_first_sentence_counts_every_statement_once_and_its_rows_in_brackets() {
+    let named = |id: &str, words: &str| Statement {
+        id: id.into(),
+        ..Statement::parse(words)
+    };
+    let stated = |words, allowance| Claim::stated(named("n", words), ("0.5", 0.5), 0.5, allowance);
     let claims = vec![
-        stated(Allowance::Exact(0.0)),
-        stated(Allowance::Digits(0.05)),
-        Claim::trend(statement(), "", true),
-        Claim::own_statement(statement(), "", true),
-        Claim::not_checkable(statement()),
+        stated("(1): a", Allowance::Exact(0.0)),
+        stated("(2): a", Allowance::Digits(0.05)),
+        stated("(2): a again", Allowance::Digits(0.05)),
+        // One statement, of which a model misses what another has.
+        Claim::trend(named("m", "(1): one — order"), "", true),
+        Claim::contradiction(named("m", "(1): two — its formula"), "", true),
+        Claim::own_statement(Statement::parse("ours — brute force"), "", true),
+        Claim::not_checkable(Statement::parse("(1): b — no number")),
     ];
     let section = Section {
         claims,
@@ -24,11 +30,18 @@ fn the_first_sentence_counts_every_row_once() {
     };
     let text = lead(&[section]);
     assert!(
-        text.starts_with("Of 5 rows, 2 reproduce a number"),
+        text.starts_with(
+            "Of 4 distinct statements of the thesis [6 rows], 2 [3] reproduce a number"
+        ),
         "{text}"
     );
     assert!(text.contains("(1 of them exact values and closed forms, 1 with an error)"));
-    assert!(text.contains("The other 2 compare nothing") && !text.contains("failed"));
+    assert!(
+        text.contains("0 [1] reproduce a trend")
+            && text.contains("1 [1] differ for a reason that is shown")
+    );
+    assert!(text.contains("1 [1] cannot be checked") && text.contains("have 1 more rows"));
+    assert!(!text.contains('{') && !text.contains("failed"));
 }
 
 #[test]
@@ -42,8 +55,7 @@ fn claims_are_a_table_without_backticks() {
     };
     let text = claims_csv(&[section]);
     let line = text.lines().nth(1);
-    let expected =
-        "\"figure-1\",\"1\",\"run tribos\",\"\",\"\",\"\",\"\",\"not checkable\",\"a \"\"b\"\"\"";
+    let expected = "\"figure-1\",\"\",\"1\",\"run tribos\",\"\",\"\",\"\",\"\",\"\",\"not checkable\",\"a \"\"b\"\"\"";
     assert_eq!(line, Some(expected));
 }
 
