@@ -130,7 +130,7 @@ fn levels(small: &Porosities) -> Vec<Claim> {
             paired(&small.initial, small.each(1, 1)),
         ),
     ];
-    let difference = TEXT.said("difference").text;
+    let (difference, deposits) = (TEXT.said("difference").text, small.initial.len() as f64);
     let rows = rows.into_iter().zip(FOUND);
     rows.map(|((id, printed, (ours, deviation)), found)| {
         // In points, as the thesis and the reader have them.
@@ -143,6 +143,11 @@ fn levels(small: &Porosities) -> Vec<Claim> {
             MismatchMeaning::Known(range),
         )
         .uncertain(scatter(&[deviation], small.initial.len()))
+        .apart(
+            100.0 * ours - printed.1,
+            [deviation / deposits.sqrt(), FLUCTUATION].map(|share| 100.0 * share),
+            small.initial.len() as u64,
+        )
     })
     .collect()
 }
