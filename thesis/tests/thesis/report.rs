@@ -178,7 +178,7 @@ fn the_page_is_shown(page: &Path) -> Outcome {
     browser.open(page, &format!("{films} === 2"))?;
     let shown = "[...document.querySelectorAll('figure > .card > svg')] \
         .filter(svg => svg.getBoundingClientRect().height > 100).length";
-    assert_eq!(browser.value(shown)?, 45);
+    assert_eq!(browser.value(shown)?, 46);
     browser.click(".tribos-player .play")?;
     browser.wait("document.querySelector('.tribos-player').player.frame > 3")?;
     let picture = browser.screenshot("report.png")?;
