@@ -51,7 +51,8 @@ const HALF_DIGIT: f64 = 0.05;
 const LIMITS: [f64; 3] = [9.49, 12.59, 15.51];
 /// The pressure that the thesis states, in F_coh/R².
 const PRINTED_PRESSURE: f64 = 0.0025;
-/// Choices of which there are five deposits and all pairs: what the thesis prints with our usual range and walls first.
+/// Choices of five deposits: what the thesis prints with our usual range and walls, at the corners alone, and three with all
+/// pairs.
 const JUDGED: [Choice; 4] = [
     Choice::new(0.3, 1.0, 1e-2, false),
     Choice::new(0.12, 1.0, 1e-4, true),
