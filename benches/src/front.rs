@@ -23,13 +23,15 @@ pub enum Front {
     Problems,
     /// Molecular dynamics beside LAMMPS.
     Atoms,
+    /// Whole runs with a mode left out.
+    Modes,
     /// What each item costs a microcontroller.
     Firmware,
 }
 
 impl Front {
     /// In the order of the index.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Kernel,
         Self::Batch,
         Self::Patches,
@@ -40,12 +42,13 @@ impl Front {
         Self::Methods,
         Self::Problems,
         Self::Atoms,
+        Self::Modes,
         Self::Firmware,
     ];
 
     /// The order of work: what builds comes before what is timed, and the kernel's front shows
     /// instructions that the firmware's counts.
-    pub(crate) const WORK: [Self; 11] = [
+    pub(crate) const WORK: [Self; 12] = [
         Self::Firmware,
         Self::Kernel,
         Self::Batch,
@@ -57,6 +60,7 @@ impl Front {
         Self::Methods,
         Self::Problems,
         Self::Atoms,
+        Self::Modes,
     ];
 
     /// Of the option, and of the front's files.
@@ -72,6 +76,7 @@ impl Front {
             Self::Methods => "methods",
             Self::Problems => "problems",
             Self::Atoms => "atoms",
+            Self::Modes => "modes",
             Self::Firmware => "firmware",
         }
     }
@@ -89,6 +94,7 @@ impl Front {
             Self::Methods => "Three methods: error against time",
             Self::Problems => "Contact problems: speed and reliability beside Siconos",
             Self::Atoms => "Atoms in motion: speed, conserved energy",
+            Self::Modes => "A mode left out: time, memory, same result",
             Self::Firmware => "What the kernel costs a microcontroller",
         }
     }

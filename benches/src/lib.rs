@@ -4,8 +4,8 @@
 //! and torque), batch (calls one by one and in batches), patches (every patch, law and tier), integrators (one
 //! stop of a sliding, spinning disk), contacts (of packings, and their solvers), scale (packings of a thousand
 //! to a million spheres), methods (events, contact dynamics and soft particles), problems (contact problems beside
-//! Siconos), atoms (molecular dynamics beside LAMMPS) and firmware (the cost of each on a microcontroller). The
-//! benches under `benches/` time the same methods with criterion.
+//! Siconos), atoms (molecular dynamics beside LAMMPS), modes (whole runs with a mode left out) and firmware (the cost of
+//! each on a microcontroller). The benches under `benches/` time the same methods with criterion.
 
 pub mod args;
 pub mod baselines;

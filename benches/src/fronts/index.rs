@@ -1,6 +1,6 @@
-//! The first page of the folder: summary and picture of each front.
+//! The first page of the folder: methods of the thesis, summary and picture of each front.
 
-use super::{Finding, Front, Setting};
+use super::{Finding, Front, Setting, places};
 use crate::written;
 
 const PAGE: &str = "index.md";
@@ -13,10 +13,15 @@ front alone. Ratios within a run are steadier than times: the load average in th
 busy the machine was.
 ";
 
-/// Puts the finding in the front's section, and leaves the other sections.
+/// Puts the finding in the front's section, makes the table of methods anew, and leaves the other sections.
 pub fn enter(setting: &Setting<'_>, front: Front, finding: &Finding) -> Result<(), String> {
     let old = std::fs::read_to_string(setting.out.join(PAGE)).unwrap_or_default();
-    let page = entered(&old, front, &section(setting.made, front, finding));
+    let opening = format!("{OPENING}\n{}", places::write(setting)?);
+    let page = entered(
+        (&opening, &old),
+        front,
+        &section(setting.made, front, finding),
+    );
     written::write(setting.out, PAGE, &page)
 }
 
@@ -27,8 +32,8 @@ fn section(made: &str, front: Front, Finding { line, picture }: &Finding) -> Str
     )
 }
 
-/// The page with a section in the place of the one with its heading.
-fn entered(page: &str, front: Front, section: &str) -> String {
+/// The page with a new opening, and a section in the place of the one with its heading.
+fn entered((opening, page): (&str, &str), front: Front, section: &str) -> String {
     let of = |wanted: Front| {
         if wanted == front {
             return Some(section.trim_start_matches("## ").trim_end());
@@ -38,7 +43,7 @@ fn entered(page: &str, front: Front, section: &str) -> String {
     };
     let sections = Front::ALL.into_iter().filter_map(of);
     let sections = sections.map(|text| format!("\n## {text}\n"));
-    OPENING.to_owned() + &sections.collect::<String>()
+    opening.to_owned() + &sections.collect::<String>()
 }
 
 #[cfg(test)]
@@ -49,13 +54,10 @@ mod tests {
 
     #[test]
     fn a_front_takes_its_own_place() {
-        let page = entered("", Front::Firmware, "## firmware\n\none\n");
-        let page = entered(&page, Front::Kernel, "## kernel\n\ntwo\n");
-        let page = entered(&page, Front::Firmware, "## firmware\n\nthree\n");
-        assert_eq!(
-            page,
-            format!("{OPENING}\n## kernel\n\ntwo\n\n## firmware\n\nthree\n")
-        );
+        let page = entered(("old", ""), Front::Firmware, "## firmware\n\none\n");
+        let page = entered(("old", &page), Front::Kernel, "## kernel\n\ntwo\n");
+        let page = entered(("new\n", &page), Front::Firmware, "## firmware\n\nthree\n");
+        assert_eq!(page, "new\n\n## kernel\n\ntwo\n\n## firmware\n\nthree\n");
     }
 
     /// Targets of Markdown's links and pictures.

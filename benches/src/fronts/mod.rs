@@ -9,7 +9,9 @@ pub mod integrators;
 pub mod kernel;
 pub mod made;
 pub mod methods;
+pub mod modes;
 pub mod patches;
+mod places;
 pub mod polygons;
 pub mod problems;
 pub mod scale;
@@ -88,6 +90,7 @@ pub fn run(options: &Options) -> Result<(), String> {
             Front::Methods => methods::run(&setting)?,
             Front::Problems => problems::run(&setting, &options.problems())?,
             Front::Atoms => atoms::run(&setting)?,
+            Front::Modes => modes::run(&setting)?,
         };
         index::enter(&setting, front, &finding)?;
         let seconds = clock.elapsed().as_secs();

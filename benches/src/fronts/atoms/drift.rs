@@ -4,9 +4,11 @@ use super::melt::Melt;
 use crate::power_law::{exponent, slope};
 use crate::written::{Sheet, short};
 use rayon::prelude::*;
+use tribos::md::group::Group;
 use tribos::md::interaction::Evaluation;
 use tribos::md::observe::{conserved_energy, kinetic_energies, temperature};
 use tribos::md::pair::Shift;
+use tribos::md::thermostat::{NoseHoover, RotationBias, Thermostat};
 
 /// Cubes of four atoms along an edge: 864 atoms.
 const CUBES: usize = 6;
@@ -20,18 +22,25 @@ const BETWEEN: f64 = 0.04;
 const LOOKS: usize = 500;
 const QUICK_LOOKS: usize = 25;
 
-/// Names of the shifts at the cut-off in tables and pictures.
-pub const SHIFTS: [(&str, Shift); 3] = [
-    ("truncated", Shift::None),
-    ("energy shifted", Shift::Energy),
-    ("force shifted", Shift::Force),
+/// Temperature of the thermostat in ε/k_B, near that of the melt, and its relaxation time in τ, as the tip has it.
+const BATH: [f64; 2] = [0.72, 0.5];
+
+/// A case: its name in tables and pictures, what is done at the cut-off, temperature and relaxation time of a thermostat.
+type Case = (&'static str, Shift, Option<[f64; 2]>);
+
+/// All cases.
+pub const CASES: [Case; 4] = [
+    ("truncated", Shift::None, None),
+    ("energy shifted", Shift::Energy, None),
+    ("force shifted", Shift::Force, None),
+    ("force shifted; Nose-Hoover", Shift::Force, Some(BATH)),
 ];
 
-/// One run at constant energy; energies of an atom in ε, times in τ = σ√(m/ε).
+/// One run at constant energy, that of a thermostat included; energies of an atom in ε, times in τ = σ√(m/ε).
 #[derive(Clone, Copy, Debug)]
 pub struct Run {
-    /// How the potential is shifted at the cut-off.
-    pub shift: &'static str,
+    /// Name of the case.
+    pub case: &'static str,
     /// Time step.
     pub time_step: f64,
     /// Slope of the energy over time.
@@ -51,18 +60,28 @@ pub fn measure(is_quick: bool) -> Result<Vec<Run>, String> {
     // Long runs first, so that no core waits for the last.
     let pairs = TIME_STEPS
         .into_iter()
-        .flat_map(|dt| SHIFTS.map(|s| (dt, s)));
+        .flat_map(|dt| CASES.map(|case| (dt, case)));
     let cases: Vec<_> = pairs.collect();
     let runs: Result<Vec<Run>, String> = cases
         .into_par_iter()
         .with_max_len(1)
-        .map(|(time_step, shift)| run(&melt, shift, time_step, looks))
+        .map(|(time_step, case)| run(&melt, case, time_step, looks))
         .collect();
     runs
 }
 
-fn run(melt: &Melt, shift: (&'static str, Shift), dt: f64, looks: usize) -> Result<Run, String> {
-    let mut system = melt.system(shift.1, dt)?;
+fn run(melt: &Melt, (case, shift, bath): Case, dt: f64, looks: usize) -> Result<Run, String> {
+    let thermostat = match bath {
+        Some([heat, time]) => NoseHoover::new(heat, time, RotationBias::Counts)
+            .map(Thermostat::NoseHoover)
+            .map_err(|error| error.to_string())?,
+        None => Thermostat::None,
+    };
+    let group = Group {
+        thermostat,
+        ..Group::default()
+    };
+    let mut system = melt.moved_as(group, shift, dt)?;
     let atoms = melt.atoms.len() as f64;
     let steps = (BETWEEN / dt).round() as usize;
     let (mut curve, mut heat) = (Vec::with_capacity(looks), 0.0);
@@ -80,7 +99,7 @@ fn run(melt: &Melt, shift: (&'static str, Shift), dt: f64, looks: usize) -> Resu
     }
     let [drift, drift_error, rms] = straight(&curve);
     Ok(Run {
-        shift: shift.0,
+        case,
         time_step: dt,
         drift,
         drift_error,
@@ -106,8 +125,8 @@ fn straight(curve: &[[f64; 2]]) -> [f64; 3] {
 }
 
 /// Exponent of the time step in the fluctuation.
-pub fn order(runs: &[Run], shift: &str) -> f64 {
-    let of = runs.iter().filter(|run| run.shift == shift);
+pub fn order(runs: &[Run], case: &str) -> f64 {
+    let of = runs.iter().filter(|run| run.case == case);
     exponent(of.map(|run| [run.time_step, run.rms]))
 }
 
@@ -115,9 +134,9 @@ pub fn order(runs: &[Run], shift: &str) -> f64 {
 pub fn sheet(runs: &[Run], is_quick: bool) -> Sheet {
     let looks = if is_quick { QUICK_LOOKS } else { LOOKS };
     let atoms = 4 * CUBES.pow(3);
-    let rows = SHIFTS
+    let rows = CASES
         .iter()
-        .flat_map(|&(shift, _)| runs.iter().filter(move |run| run.shift == shift));
+        .flat_map(|&(case, ..)| runs.iter().filter(move |run| run.case == case));
     Sheet::of(
         format!(
             "Energy of an atom of {atoms} in a melt over a time of {}: fluctuation about the nearest \
@@ -126,7 +145,7 @@ pub fn sheet(runs: &[Run], is_quick: bool) -> Sheet {
         ),
         rows,
         &[
-            ("cut-off", &|run| run.shift.into()),
+            ("cut-off", &|run| run.case.into()),
             ("dt", &|run| run.time_step.to_string()),
             ("atom-steps per time", &|run| {
                 short(atoms as f64 / run.time_step)

@@ -11,7 +11,7 @@ mod threads;
 
 use super::{Finding, Front, Setting};
 use crate::written::{self, short};
-use drift::{Run, SHIFTS};
+use drift::{CASES, Run};
 use problems::Problem;
 use race::{Peers, Race};
 use std::path::Path;
@@ -87,6 +87,7 @@ A step costs the same whatever its length and whatever is done at the cut-off (a
 a square root more), so atom-steps per time are the price. Runs of the truncated and the energy-shifted \
 potential follow the same path; they differ in what is called energy. A truncated energy jumps whenever a \
 pair crosses the cut-off: no smaller step mends that. A shifted energy has no jump, a shifted force no kink. \
+With a thermostat the conserved energy includes that of the thermostat. \
 Drifts below their error are none that this time could show.
 ";
 
@@ -120,7 +121,7 @@ fn speeds(setting: &Setting<'_>, extent: &Extent) -> Result<(Vec<Race>, String),
 
 /// Exponents of the time step in the fluctuation, in one line.
 fn orders(runs: &[Run]) -> String {
-    let told = SHIFTS.map(|(shift, _)| format!("{shift} {:.2}", drift::order(runs, shift)));
+    let told = CASES.map(|(case, ..)| format!("{case} {:.2}", drift::order(runs, case)));
     let told = told.join(", ");
     format!("Exponent of the time step in the rms fluctuation: {told}.\n")
 }
@@ -135,10 +136,10 @@ fn draw(folder: &Path, runs: &[Run]) -> Result<(), String> {
     for (label, read) in quantities {
         let axes = (Axis::log10("time step [τ]"), Axis::log10(label));
         let mut figure = Figure::new(label, axes.0, axes.1).legend(Legend::Below);
-        for (shift, _) in SHIFTS {
-            let of = runs.iter().filter(|run| run.shift == shift);
+        for (case, ..) in CASES {
+            let of = runs.iter().filter(|run| run.case == case);
             let line = of.map(|run| (run.time_step, read(run))).collect();
-            figure = figure.series(Series::line_points(shift, line));
+            figure = figure.series(Series::line_points(case, line));
         }
         panels = panels.figure(figure);
     }
@@ -167,7 +168,7 @@ fn line(races: &[Race], runs: &[Run]) -> String {
         )
     };
     let speeds: Vec<String> = races.iter().map(speed).collect();
-    let usual = |run: &&Run| run.shift == "force shifted" && run.time_step == melt::TIME_STEP;
+    let usual = |run: &&Run| run.case == "force shifted" && run.time_step == melt::TIME_STEP;
     let usual = runs.iter().find(usual);
     let told = |read: RunQuantity| short(usual.map_or(f64::NAN, read));
     format!(
