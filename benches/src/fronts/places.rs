@@ -31,7 +31,7 @@ struct Place {
     meaning: &'static str,
 }
 
-const PLACES: [Place; 7] = [
+const PLACES: [Place; 8] = [
     Place {
         method: "force and torque",
         thesis: "3.2 and 3.4.3",
@@ -184,6 +184,23 @@ const PLACES: [Place; 7] = [
         columns: ["atom-steps per time", "rms fluctuation"],
         unit: "atom-steps in a unit of time",
         meaning: "fluctuation of the energy of an atom",
+    },
+    Place {
+        method: "molecular dynamics: thermostat",
+        thesis: "5.3",
+        front: Front::Atoms,
+        table: "atoms_drift",
+        usual: (
+            "steps of 0.005",
+            &[("cut-off", "force shifted; Nose-Hoover"), ("dt", "0.005")],
+        ),
+        other: (
+            "steps of 0.01",
+            &[("cut-off", "force shifted; Nose-Hoover"), ("dt", "0.01")],
+        ),
+        columns: ["atom-steps per time", "rms fluctuation"],
+        unit: "atom-steps in a unit of time",
+        meaning: "fluctuation of the conserved energy of an atom",
     },
 ];
 

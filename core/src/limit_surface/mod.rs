@@ -44,7 +44,7 @@
 //! | set | metric | accuracy | time | where |
 //! |---|---|---|---|---|
 //! | round patch, exact | any length | 1e-15 of the limits; 5 ε of the surface | 7 ns inside, 145 ns; 2 and 38 to 41 ns in a batch (f32: 1.4 and 13) | [`RoundLimitSurface`] |
-//! | ellipsoid | any length | rounding | 6 ns inside, 104 to 129 ns | [`LimitEllipsoid`] |
+//! | ellipsoid | any length | rounding | 4 ns inside, 142 to 158 ns; 2.5 and 44 to 48 ns in a batch; next to the surface up to 200 and 100 ns where the length is three radii | [`LimitEllipsoid`] |
 //! | polygons, bars, meshes, points, several bodies | any length | 1e-13 of the limits; for points 1e-8 of the wrench, in the set to 16 ε | about 5 wrenches with Jacobian | [`ShapeLimitSurface`] |
 //! | discs, one for each mode, under a held bound | masses, which are equal along both tangents | 4 ulp of the length | 14 to 21 ns with the rest of a contact, four at a time | [`crate::contact::IndependentFriction`]; in lanes, to its bits, `cd/vectors` of `tribos-contacts` |
 //! | disc of rolling; sliding with torsion in a round set | masses | that of the set | that of the set | [`crate::contact::CoupledFriction`] |

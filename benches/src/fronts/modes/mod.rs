@@ -171,7 +171,7 @@ fn sheet(prices: &[Price], seeds: u64) -> Sheet {
 /// Difference of the result over the time.
 fn draw(setting: &Setting<'_>, prices: &[Price]) -> Result<(), String> {
     let point = |price: &Price| PicturePoint {
-        label: format!("{}: {}", price.pair.body, price.pair.mode),
+        label: price.pair.mode.into(),
         group: price.pair.body.into(),
         at: (price.ratio(), price.difference().max(ROUNDING)),
     };
