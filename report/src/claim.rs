@@ -2,7 +2,7 @@
 
 use super::digits::{brief, short};
 use super::html::{escape, inline};
-use super::verdict::{Agreement, Allowance, PrintedNumber, Verdict};
+use super::verdict::{Agreement, Allowance, CLASSES, PrintedNumber, Verdict};
 use serde::{Deserialize, Serialize};
 use std::fmt::Display;
 
@@ -22,16 +22,42 @@ pub struct Claim {
     pub ours: String,
     /// Uncertainty of our result: scatter over seeds; empty if all digits shown are certain.
     pub uncertainty: String,
-    /// Difference between the two numbers, or between ours and its reference.
-    pub difference: String,
-    /// The difference in combined standard deviations; empty if neither number is random.
-    pub z: String,
+    /// What is shown, as numbers.
+    pub numbers: Numbers,
     /// Our judgement.
     pub verdict: Verdict,
 }
 
+/// The numbers of a row, in the unit of the statement; those that it has not are missing.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Numbers {
+    /// What the thesis prints.
+    pub thesis: Option<f64>,
+    /// Our result.
+    pub ours: Option<f64>,
+    /// Distance of the two, or of ours and its reference.
+    pub difference: Option<f64>,
+    /// Largest distance at which they agree.
+    pub allowance: Option<f64>,
+    /// Standard error of ours, and standard deviation of the thesis' number.
+    pub sigma: Option<[f64; 2]>,
+    /// Random samples of ours.
+    pub samples: Option<u64>,
+}
+
+impl Numbers {
+    /// The difference in combined standard deviations, √(σ² + σ_thesis²).
+    pub fn z(&self) -> Option<f64> {
+        let ([ours, thesis], difference) = self.sigma.zip(self.difference)?;
+        Some(difference / ours.hypot(thesis))
+    }
+}
+
 /// Samples below which a mean decides little.
 pub const ENOUGH_SAMPLES: u64 = 5;
+
+/// Combined deviations below which two random numbers do not differ.
+const DECISIVE: f64 = 2.0;
 
 /// Meaning of a number that is not reproduced.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,8 +121,7 @@ impl Claim {
             thesis: String::new(),
             ours,
             uncertainty: String::new(),
-            difference: String::new(),
-            z: String::new(),
+            numbers: Numbers::default(),
             verdict,
         }
     }
@@ -127,6 +152,13 @@ impl Claim {
         otherwise: MismatchMeaning,
     ) -> Self {
         let thesis = PrintedNumber::new(thesis);
+        let numbers = Numbers {
+            thesis: Some(thesis.value()),
+            ours: Some(ours),
+            difference: Some((ours - thesis.value()).abs()),
+            allowance: Some(allowance.size()),
+            ..Numbers::default()
+        };
         let verdict = match (Agreement::test(&thesis, ours, allowance), otherwise) {
             (Some(agreement), _) => Verdict::Reproduced(agreement),
             (None, MismatchMeaning::Known(range)) if range.contains(&ours) => {
@@ -136,7 +168,7 @@ impl Claim {
         };
         Self {
             thesis: thesis.text().into(),
-            difference: brief((ours - thesis.value()).abs()),
+            numbers,
             ..Self::new(statement, shown, verdict)
         }
     }
@@ -150,7 +182,12 @@ impl Claim {
     pub fn own(statement: Statement, ours: f64, other: f64, tolerance: f64) -> Self {
         let difference = (ours - other).abs();
         Self {
-            difference: brief(difference),
+            numbers: Numbers {
+                ours: Some(ours),
+                difference: Some(difference),
+                allowance: Some(tolerance),
+                ..Numbers::default()
+            },
             ..Self::own_statement(statement, short(ours), difference <= tolerance)
         }
     }
@@ -190,7 +227,12 @@ impl Claim {
         let printed_is_wrong = (ours - printed.1).abs() > ROUNDING * right.abs();
         let ours_is_right = (ours - right).abs() <= ROUNDING * right.abs();
         Self {
-            difference: brief((ours - printed.1).abs()),
+            numbers: Numbers {
+                thesis: Some(printed.1),
+                ours: Some(ours),
+                difference: Some((ours - printed.1).abs()),
+                ..Numbers::default()
+            },
             ..Self::refutation(statement, short(ours), printed_is_wrong && ours_is_right)
         }
         .printed(printed.0)
@@ -232,23 +274,39 @@ impl Claim {
         }
     }
 
-    /// With the distance of two random numbers in √(σ² + σ_thesis²), the mean of `samples` runs of ours
-    /// from the thesis'; of less than [`ENOUGH_SAMPLES`] it is called underpowered.
-    pub fn apart(self, difference: f64, [ours, thesis]: [f64; 2], samples: u64) -> Self {
-        let power = if samples < ENOUGH_SAMPLES {
-            ", underpowered"
-        } else {
-            ""
+    /// With the distance of two random numbers and their deviations: the standard error of ours, the mean of
+    /// `samples` runs, and the thesis'. Below two of both combined a difference is undecided; of less than
+    /// [`ENOUGH_SAMPLES`] runs it is called underpowered.
+    pub fn apart(self, difference: f64, sigma: [f64; 2], samples: u64) -> Self {
+        let numbers = Numbers {
+            difference: Some(difference.abs()),
+            sigma: Some(sigma),
+            samples: Some(samples),
+            ..self.numbers
         };
-        let z = difference.abs() / ours.hypot(thesis);
+        let verdict = match self.verdict {
+            Verdict::Differs(text) if numbers.z().is_some_and(|z| z < DECISIVE) => {
+                Verdict::Undecided(text)
+            }
+            verdict => verdict,
+        };
         Self {
-            z: format!("{z:.1}{power}"),
+            numbers,
+            verdict,
             ..self
         }
     }
 
-    /// One row of the comparison table.
-    pub(super) fn row(&self) -> String {
+    /// The distance in deviations for people; empty if neither number is random.
+    fn z(&self) -> String {
+        let few = self.numbers.samples.is_some_and(|n| n < ENOUGH_SAMPLES);
+        let power = if few { ", underpowered" } else { "" };
+        let z = self.numbers.z().map(|z| format!("{z:.1}{power}"));
+        z.unwrap_or_default()
+    }
+
+    /// One row of the comparison table, with its name for links.
+    pub(super) fn row(&self, id: &str) -> String {
         let or_dash = |text: &str| {
             if text.is_empty() {
                 "–".to_owned()
@@ -260,6 +318,7 @@ impl Claim {
             "" => String::new(),
             place => format!("<span class=\"place\">{}</span> ", inline(place)),
         };
+        let difference = self.numbers.difference.map(brief).unwrap_or_default();
         let ours = match self.uncertainty.as_str() {
             "" => or_dash(&self.ours),
             uncertainty => {
@@ -267,21 +326,22 @@ impl Claim {
                 format!("{ours} <span class=\"place\">{uncertainty}</span>")
             }
         };
-        let z = match self.z.as_str() {
+        let z = match self.z().as_str() {
             "" => String::new(),
             z => format!(" <span class=\"place\">z = {}</span>", inline(z)),
         };
         format!(
-            "<tr><td>{place}{}</td><td>{}</td><td>{ours}</td><td>{}{z}</td><td>{}</td></tr>\n",
+            "<tr id=\"{id}\"><td>{place}{} <a class=\"id\" href=\"#{id}\">{}</a></td><td>{}</td><td>{ours}</td><td>{}{z}</td><td>{}</td></tr>\n",
             inline(&self.statement),
+            escape(&self.id),
             or_dash(&self.thesis),
-            or_dash(&self.difference),
+            or_dash(&difference),
             self.verdict_cell()
         )
     }
 
     fn verdict_cell(&self) -> String {
-        let (class, name) = (self.verdict.class(), escape(self.verdict.name()));
+        let (class, name) = (CLASSES[self.verdict.kind()], escape(self.verdict.name()));
         let word = format!("<span class=\"verdict {class}\">{name}</span>");
         format!("{word}<br>{}", inline(&self.verdict.evidence()))
     }
@@ -316,9 +376,19 @@ mod tests {
             let statement = Statement::parse("(1): a — order");
             Claim::trend(statement, "", true)
                 .apart(-10.0, [3.0, 4.0], samples)
-                .z
+                .z()
         };
         assert_eq!([z(5), z(4)], ["2.0", "2.0, underpowered"]);
+        let verdict = |sigma| {
+            let known = MismatchMeaning::Known(5.0..=7.0);
+            let (statement, allowance) =
+                (Statement::parse("(1): a — open"), Allowance::Digits(0.5));
+            Claim::compared(statement, ("3", 3.0), ("6".into(), 6.0), allowance, known)
+                .apart(3.0, [sigma, 0.0], 5)
+                .verdict
+        };
+        assert_eq!(verdict(1.6), Verdict::Undecided("open".into()));
+        assert_eq!(verdict(1.4), Verdict::Differs("open".into()));
     }
 
     #[test]

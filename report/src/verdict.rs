@@ -120,6 +120,9 @@ pub enum Verdict {
     Definition(String),
     /// The results differ for a demonstrated reason, which the text gives.
     CauseKnown(String),
+    /// Random numbers that are off by less than two of their deviations, yet by more than the allowance; the
+    /// text says what is known.
+    Undecided(String),
     /// The results differ as before; the text says what is known and what is not.
     Differs(String),
     /// The thesis is wrong; the text gives the correct result.
@@ -130,13 +133,28 @@ pub enum Verdict {
     Failed,
 }
 
+/// Classes of the kinds of verdict in pages.
+pub const CLASSES: [&str; 10] = [
+    "reproduced",
+    "trend",
+    "checked",
+    "definition",
+    "known",
+    "undecided",
+    "differs",
+    "error",
+    "unchecked",
+    "failed",
+];
+
 /// Words of the kinds of verdict, in the order of the tables.
-pub const KINDS: [&str; 9] = [
+pub const KINDS: [&str; 10] = [
     "reproduced",
     "trend reproduced",
-    "ours, checked",
+    "no number, checked",
     "definition",
     "differs, cause known",
+    "undecided",
     "differs",
     "thesis in error",
     "not checkable",
@@ -152,10 +170,11 @@ impl Verdict {
             Self::OursChecked(_) => 2,
             Self::Definition(_) => 3,
             Self::CauseKnown(_) => 4,
-            Self::Differs(_) => 5,
-            Self::ThesisInError(_) => 6,
-            Self::NotCheckable(_) => 7,
-            Self::Failed => 8,
+            Self::Undecided(_) => 5,
+            Self::Differs(_) => 6,
+            Self::ThesisInError(_) => 7,
+            Self::NotCheckable(_) => 8,
+            Self::Failed => 9,
         }
     }
 
@@ -175,29 +194,18 @@ impl Verdict {
             Self::Definition(text) => format!("follows from {text}"),
             Self::Trend(text)
             | Self::CauseKnown(text)
+            | Self::Undecided(text)
             | Self::Differs(text)
             | Self::ThesisInError(text)
             | Self::NotCheckable(text) => text.clone(),
             Self::Failed => "no known reason".into(),
         }
     }
-
-    /// Class of its words in the page.
-    pub fn class(&self) -> &'static str {
-        match self {
-            Self::Reproduced(_) | Self::Trend(_) => "agrees",
-            Self::OursChecked(_) | Self::Definition(_) => "own",
-            Self::CauseKnown(_) | Self::Differs(_) | Self::ThesisInError(_) | Self::Failed => {
-                "differs"
-            }
-            Self::NotCheckable(_) => "unchecked",
-        }
-    }
 }
 
 /// Number of claims for each verdict.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Counts(pub [usize; 9]);
+pub struct Counts(pub [usize; 10]);
 
 impl Counts {
     /// Counts verdicts.
@@ -207,6 +215,11 @@ impl Counts {
             counts.0[verdict.kind()] += 1;
         }
         counts
+    }
+
+    /// Those of two lists.
+    pub fn plus(self, other: Self) -> Self {
+        Self(std::array::from_fn(|kind| self.0[kind] + other.0[kind]))
     }
 
     /// All of them.

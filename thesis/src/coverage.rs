@@ -1,6 +1,7 @@
 //! What of the thesis has an exhibit, and why the rest has none.
 
-use tribos_report::page::Appendix;
+use super::document::TEXT;
+use tribos_report::page::Table;
 
 /// A figure, a table, or a section that states results.
 #[derive(Debug)]
@@ -163,19 +164,16 @@ pub const ITEMS: &[Item] = &[
     shown("appendix B", &["appendix-b", "4.6", "5.2"]),
 ];
 
-const HEADING: &str = "What of the thesis has no exhibit";
-const TEXT: &str = "Figures, tables and sections with results that this report does not recompute, \
-     with the reason. All others have an exhibit.";
-
 /// The items without an exhibit, for the end of the report.
-pub fn appendix() -> Appendix {
+pub fn left_out() -> Table {
     let missing = ITEMS.iter().filter(|item| item.exhibits.is_empty());
-    Appendix {
-        heading: HEADING.into(),
-        text: TEXT.into(),
-        head: ["of the thesis", "reason"].map(String::from),
+    Table {
+        id: "left-out".into(),
+        heading: "What of the thesis has no exhibit".into(),
+        text: TEXT.part("Left out"),
+        head: ["of the thesis", "reason"].map(String::from).into(),
         rows: missing
-            .map(|item| [item.name.into(), item.reason.into()])
+            .map(|item| vec![item.name.into(), item.reason.into()])
             .collect(),
     }
 }

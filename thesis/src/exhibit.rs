@@ -2,6 +2,7 @@
 
 use super::text::Prose;
 use anyhow::Result;
+use std::panic::Location;
 use tribos_core::coupling::ReducedWrench;
 use tribos_core::coupling::{ReducedFriction, table::DiskTable64};
 use tribos_core::modes::TerminalMotion;
@@ -21,10 +22,15 @@ pub struct Exhibit {
     pub columns: Vec<&'static str>,
     pub rows: Vec<Vec<f64>>,
     pub claims: Vec<Claim>,
+    /// Of its random runs, one after the other.
+    pub seeds: Vec<u64>,
+    /// The file that makes it, and that of kept runs that it reads, from the project's root.
+    pub source: String,
 }
 
 impl Exhibit {
     /// Without a film.
+    #[track_caller]
     pub fn new(
         prose: Prose,
         drawing: impl Drawing + 'static,
@@ -40,7 +46,21 @@ impl Exhibit {
             columns: columns.to_vec(),
             rows,
             claims,
+            seeds: Vec::new(),
+            source: source(Location::caller().file()),
         }
+    }
+
+    /// With the seeds of its random runs.
+    pub fn seeded(self, seeds: impl IntoIterator<Item = u64>) -> Self {
+        let seeds = seeds.into_iter().collect();
+        Self { seeds, ..self }
+    }
+
+    /// From runs that are kept in a file beside it, which names their commands.
+    pub fn kept(self, file: &str) -> Self {
+        let source = format!("{}, from the runs kept in {}", self.source, source(file));
+        Self { source, ..self }
     }
 
     /// The first text in which a placeholder is not filled.
@@ -56,6 +76,15 @@ impl Exhibit {
         let mut all = claims.chain(prose).chain([heading, caption]);
         all.find(|text| text.contains(['{', '}']))
     }
+}
+
+/// The path in the project of a file that was compiled.
+fn source(file: &str) -> String {
+    let file = file.replace('\\', "/");
+    let within = file
+        .rsplit_once("src/")
+        .map_or(file.as_str(), |(_, within)| within);
+    format!("thesis/src/{within}")
 }
 
 /// The table of one exponent.

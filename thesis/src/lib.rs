@@ -2,6 +2,7 @@
 //! with the thesis' number, ours, and a verdict.
 
 mod effort;
+mod provenance;
 
 // The tests of these stand beside the library, which is long to compile.
 #[doc(hidden)]
@@ -15,6 +16,10 @@ pub mod exhibit;
 #[doc(hidden)]
 pub mod exhibits;
 #[doc(hidden)]
+pub mod front;
+#[doc(hidden)]
+pub mod fronts;
+#[doc(hidden)]
 pub mod plan;
 #[doc(hidden)]
 pub mod reference_integration;
@@ -27,7 +32,7 @@ pub mod text;
 
 use Maker::{Alone, Checked, Running};
 use anyhow::{Result, bail, ensure};
-use document::{claims_csv, counts, page};
+use document::{claims_csv, counts, site};
 pub use effort::Effort;
 use exhibit::Exhibit;
 use exhibits::*;
@@ -36,7 +41,7 @@ use runs::Runs;
 use section_cache::SectionCache;
 use std::fmt;
 use std::path::Path;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use tribos::record::{series_csv, write_atomically};
 use tribos::run::folder::{Contents, OutputFolder};
 use tribos::run::{PackingRunError, RunError};
@@ -205,6 +210,7 @@ impl Report {
     /// Writes the report into a folder, or goes on with one that was interrupted. Fails if a
     /// comparison does: a row that neither holds nor differs for a known cause.
     pub fn write(&self, out: &Path, reader: &dyn Reader) -> Result<()> {
+        let started = Instant::now();
         let files = ["index.html", "claims.csv"];
         let folder = OutputFolder::reopen(out, &Contents::of("reproduce", &files))?;
         let kept = SectionCache::open(folder.lock().clone(), self.pause)?;
@@ -218,11 +224,15 @@ impl Report {
             .collect();
         folder.check()?;
         write_atomically(&out.join("claims.csv"), claims_csv(&sections).as_bytes())?;
-        let index = out.join("index.html");
-        write_atomically(&index, page(sections, self.effort).html().as_bytes())?;
-        let together = all.words();
+        let site = site(sections, self.effort, started.elapsed())?;
+        for (name, page) in site.pages() {
+            folder.add(&[name])?;
+            write_atomically(&out.join(name), page.as_bytes())?;
+        }
+        let (together, seconds) = (all.words(), started.elapsed().as_secs());
         reader.result(format_args!("{:<17} {together}", "together"));
-        reader.result(format_args!("open {}", index.display()));
+        reader.progress(format_args!("made in {seconds} s"));
+        reader.result(format_args!("open {}", out.join("index.html").display()));
         ensure!(
             failed.is_empty(),
             "{} comparisons failed for no known reason: {}",
@@ -267,7 +277,7 @@ impl Report {
                 sections.push(section);
                 continue;
             }
-            let section = write_exhibit(folder, name, maker.make(runs)?)?;
+            let section = write_exhibit(folder, (name, effort), maker.make(runs)?)?;
             kept.keep(name, effort, &section)?;
             let words = counts(&section.claims).words();
             reader.result(format_args!("{name:<17} {words}"));
@@ -309,7 +319,11 @@ pub fn chosen(given: &[String]) -> Result<Vec<&'static str>, UnknownName> {
 }
 
 /// Writes the exhibit's files and makes its section of the page.
-fn write_exhibit(folder: &OutputFolder, name: &str, exhibit: Exhibit) -> Result<Section> {
+fn write_exhibit(
+    folder: &OutputFolder,
+    (name, effort): (&str, Effort),
+    exhibit: Exhibit,
+) -> Result<Section> {
     let out = folder.path();
     if let Some(text) = exhibit.unfilled() {
         bail!("a text of {name} has a placeholder without a value: {text}");
@@ -324,7 +338,9 @@ fn write_exhibit(folder: &OutputFolder, name: &str, exhibit: Exhibit) -> Result<
     files.extend(exhibit.pages.iter().map(|(name, _)| name.clone()));
     folder.add(&files.iter().map(String::as_str).collect::<Vec<_>>())?;
     let rows = exhibit.rows.iter().map(Vec::as_slice);
-    let csv = series_csv(&exhibit.columns, rows);
+    let made = provenance::line(name, effort, &exhibit.seeds, &exhibit.source);
+    let head = made.replace('`', "");
+    let csv = format!("# {head}\n{}", series_csv(&exhibit.columns, rows));
     write_atomically(&out.join(format!("{stem}.csv")), csv.as_bytes())?;
     for (name, film) in &exhibit.pages {
         write_atomically(&out.join(name), film.page().as_bytes())?;
@@ -333,6 +349,7 @@ fn write_exhibit(folder: &OutputFolder, name: &str, exhibit: Exhibit) -> Result<
     Ok(Section {
         id: stem,
         heading: exhibit.prose.heading,
+        made,
         text: exhibit.prose.paragraphs,
         figure: Some(FigureRef {
             svg,

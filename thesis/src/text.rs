@@ -50,8 +50,7 @@ impl Text {
 
     /// All statements with their ids.
     pub fn statements(self) -> Vec<(String, Statement)> {
-        let list = format!("\n{}", self.lines("Claims"));
-        let items = list.split("\n- ").skip(1).map(joined);
+        let items = self.items("Claims").into_iter();
         items
             .map(|item| {
                 let end = item.find([' ', ':']).unwrap_or(item.len());
@@ -73,6 +72,12 @@ impl Text {
     pub fn part(self, name: &str) -> Vec<String> {
         let blocks = self.lines(name).split("\n\n").map(joined);
         blocks.filter(|block| !block.is_empty()).collect()
+    }
+
+    /// The items of the list under a heading.
+    pub fn items(self, name: &str) -> Vec<String> {
+        let list = format!("\n{}", self.lines(name));
+        list.split("\n- ").skip(1).map(joined).collect()
     }
 
     fn lines(self, name: &str) -> &'static str {

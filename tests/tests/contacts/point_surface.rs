@@ -89,6 +89,11 @@ fn on_a_facet_the_body_turns_about_the_point_whatever_that_carries() {
                 "{patch:?} {motion:?}"
             );
         }
+        // The end of the line of all torques with this force.
+        let force = push.force * 3.0;
+        let limits = surface.torque_limits([force.x, force.y]);
+        let limit = limits.expect("carried")[usize::from(sense > 0.0)];
+        assert!((limit - 3.0 * push.torque).abs() < 1e-12, "{patch:?}");
         if part < 0.8 {
             let (normal, curvature) = surface.gauge_derivatives(&push);
             assert!((push.power(&normal) - 1.0 / 3.0).abs() < 1e-13 && curvature.amax() == 0.0);

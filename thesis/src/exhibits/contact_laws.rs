@@ -35,7 +35,7 @@ impl ContactLaws {
     pub fn figure_4_2(&self) -> Panels {
         let friction = |load: f64| self.mu * (load + self.cohesion_force);
         Panels::new("", 3)
-            .cell(400, 340)
+            .cell(366, 340)
             .figure(self.resistance())
             .figure(self.constant_pull())
             .figure(self.threshold("Sliding", "sliding velocity v_t", "F_t", friction))

@@ -42,7 +42,8 @@ pub fn figure_4_5() -> Result<Exhibit> {
         &COLUMNS,
         curve.rows.iter().map(|row| row.to_vec()).collect(),
         claims,
-    ))
+    )
+    .seeded(FIRST_SEED..FIRST_SEED + DEPOSITS))
 }
 
 fn curve_claims(curve: &PorosityCurve) -> Vec<Claim> {

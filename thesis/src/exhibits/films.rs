@@ -49,6 +49,7 @@ pub fn appendix_b(runs: &Runs) -> Result<Exhibit> {
     let drawing = packing(&last.scene, &last.states, &last.outcome)?;
     Ok(Exhibit {
         pages,
+        seeds: vec![1],
         ..Exhibit::new(
             TEXT.prose_of(runs.effort()).with("system", system.name()),
             drawing,

@@ -63,13 +63,13 @@ fn deposits(map: &Map) -> String {
     }
 }
 
-/// Porosities, sums and differences; a panel a width.
+/// Porosities, sums and differences; a row of panels a width.
 fn figure(map: &Map) -> Panels {
-    let mut panels = Panels::new("", SPREADS.len() as u32).cell(400, 330);
-    let rows: [fn(&Map, f64) -> Figure; 3] = [porosities, excesses, couplings];
-    for row in rows {
-        for spread in SPREADS {
-            panels = panels.figure(row(map, spread));
+    let columns: [fn(&Map, f64) -> Figure; 3] = [porosities, excesses, couplings];
+    let mut panels = Panels::new("", columns.len() as u32).cell(366, 330);
+    for spread in SPREADS {
+        for column in columns {
+            panels = panels.figure(column(map, spread));
         }
     }
     panels

@@ -38,6 +38,7 @@ pub fn figure_4_6(runs: &Runs) -> Result<Exhibit> {
     let pairs = before.positions.iter().zip(&after.positions);
     Ok(Exhibit {
         film: Some(case.film(runs)?),
+        seeds: SEEDS.collect(),
         ..Exhibit::new(
             TEXT.prose_of(runs.effort())
                 .with("system", system.name())

@@ -248,7 +248,8 @@ pub fn section_4_2(runs: &Runs) -> Result<Exhibit> {
         ],
         rows,
         claims(dry, sticky),
-    ))
+    )
+    .seeded(1..=seeds))
 }
 
 fn figure(courses: &[PorosityHistory]) -> Figure {

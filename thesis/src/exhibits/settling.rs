@@ -112,7 +112,8 @@ pub fn section_4_1(runs: &Runs) -> Result<Exhibit> {
         &["diameter_um", "bond", "porosity_initial", "porosity_final"],
         rows.clone(),
         [filling_claims(&rows, ends), force_claims()].concat(),
-    ))
+    )
+    .seeded(1..=seeds))
 }
 
 fn figure(rows: &[Vec<f64>]) -> Panels {

@@ -124,7 +124,8 @@ pub fn section_4_4_1(runs: &Runs) -> Result<Exhibit> {
         ],
         rows.collect(),
         claims(&points, &extent),
-    ))
+    )
+    .seeded(1..=extent.gas.1[0]))
 }
 
 /// All points.
@@ -186,7 +187,7 @@ fn measured(extent: &Extent) -> Result<Vec<Point>> {
 }
 
 fn figure(points: &[Point]) -> Panels {
-    let mut panels = Panels::new("", 3);
+    let mut panels = Panels::new("", 3).cell(366, 340);
     for (panel, (title, (judged, quantity))) in TITLES.into_iter().zip(JUDGED).enumerate() {
         let here = || points.iter().filter(move |point| point.panel == panel);
         let mut figure = Figure::new(title, Axis::log10("updates"), Axis::log10(quantity));

@@ -76,7 +76,7 @@ pub fn section_5_3_metals(runs: &Runs) -> Result<Exhibit> {
         .map(|faces| row(runs.effort(), &potential, faces))
         .collect();
     let ran = all(runs, &rows)?;
-    let mut loops = Panels::new("", 3);
+    let mut loops = Panels::new("", 3).cell(366, 340);
     for ((name, ..), ran) in FACES.iter().zip(&ran) {
         let force = Axis::linear("lateral force [nN]");
         let mut figure = Figure::new(*name, Axis::linear("support [Å]"), force);
