@@ -36,7 +36,8 @@ fn main() -> Result<()> {
     }
     ensure!(!lines.is_empty(), "no run of these sweeps has ended");
     lines.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
-    lines.dedup();
+    // Runs from an earlier state have no seed, and NaN equals nothing.
+    lines.dedup_by(|a, b| a.1 == b.1);
     let head: String = head.into_iter().map(|line| format!("{line}\n")).collect();
     let lines: String = lines.into_iter().map(|(_, line)| line + "\n").collect();
     write_atomically(Path::new(&table), format!("{head}{lines}").as_bytes())?;

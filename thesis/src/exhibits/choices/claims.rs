@@ -1,6 +1,9 @@
 //! What the choices tell.
 
-use super::{CORNERS, Choice, FLUCTUATION, JUDGED, LIMITS, Line, PRINTED_PRESSURE, TEXT, Table};
+use super::shares::Shares;
+use super::{
+    CORNERS, Choice, FLUCTUATION, JUDGED, Kept, LIMITS, Line, PRINTED_PRESSURE, TEXT, Table,
+};
 use crate::runs::{Case, Runs, System};
 use anyhow::Result;
 use tribos::scene::WallLaw;
@@ -19,8 +22,9 @@ fn corners(table: &Table, choice: &Choice) -> String {
     )
 }
 
-pub(super) fn claims(runs: &Runs, table: &Table, judged: &[(Choice, f64)]) -> Result<Vec<Claim>> {
-    let [four, six, eight] = LIMITS;
+pub(super) fn claims(runs: &Runs, kept: &Kept, judged: &[(Choice, f64)]) -> Result<Vec<Claim>> {
+    let table = &kept.small;
+    let [four, six, _, eight] = LIMITS;
     let compatible: Vec<&Choice> = judged
         .iter()
         .filter(|(_, misfit)| *misfit < four)
@@ -107,11 +111,18 @@ pub(super) fn claims(runs: &Runs, table: &Table, judged: &[(Choice, f64)]) -> Re
         )
         .uncertain("five deposits"),
     );
-    let blocked = table.0.iter().filter(|line| line.is_blocked).count();
+    claims.extend(held_out(table));
+    claims.extend(sizes(kept));
+    claims.extend(shares(&kept.shares));
+    let lines = || table.0.iter().chain(&kept.large.0);
+    let (blocked, all) = (
+        lines().filter(|line| line.is_blocked).count(),
+        lines().count(),
+    );
     claims.push(Claim::own_statement(
         TEXT.said("blocked"),
-        format!("{blocked} of {}", table.0.len()),
-        table.0.len() - blocked <= table.0.len() / 50,
+        format!("{blocked} of {all}"),
+        all - blocked <= all / 50,
     ));
     claims.extend(repeated(runs, table)?);
     Ok(claims)
@@ -138,4 +149,112 @@ fn repeated(runs: &Runs, table: &Table) -> Result<Option<Claim>> {
         .iter()
         .find(is_it)
         .map(|line| Claim::own(TEXT.said("repeated"), ours, line.porosity, 0.5)))
+}
+
+/// Choices found with the first deposit, judged by the others alone.
+fn held_out(table: &Table) -> Option<Claim> {
+    let [limit, ..] = LIMITS;
+    let first = table.deposits(|seed| seed == 1.0);
+    let others = table.deposits(|seed| seed != 1.0);
+    let found = |choice: &Choice| first.misfit(choice).is_some_and(|misfit| misfit < limit);
+    let choices = others.choices();
+    let tested = choices
+        .iter()
+        .filter(|choice| found(choice) && others.deposits_of(choice) >= 4.0);
+    let tested: Vec<(&Choice, f64)> = tested
+        .filter_map(|choice| Some((choice, others.misfit(choice)?)))
+        .collect();
+    let failed = tested.iter().filter(|(_, misfit)| *misfit >= limit);
+    let failed: Vec<String> = failed
+        .map(|(choice, misfit)| format!("{} (χ² = {misfit:.1})", choice.words()))
+        .collect();
+    let dropped = if failed.is_empty() {
+        String::new()
+    } else {
+        format!("; not {}", failed.join("; "))
+    };
+    let held = tested.len() - failed.len();
+    let claim = Claim::own_statement(
+        TEXT.said("held-out").with("limit", limit),
+        format!("{held} of {}{dropped}", tested.len()),
+        2 * held > tested.len(),
+    );
+    (!tested.is_empty()).then_some(claim)
+}
+
+/// The large system under the judged choices.
+fn sizes(kept: &Kept) -> Vec<Claim> {
+    let [limit, ..] = LIMITS;
+    let each = JUDGED.iter().filter_map(|choice| {
+        let misfit = kept.large.misfit(choice)?;
+        let apart = CORNERS.map(|(pair, _)| {
+            let of = |table: &Table| {
+                table
+                    .porosity(choice, pair)
+                    .map_or(f64::NAN, |found| found.0)
+            };
+            of(&kept.large) - of(&kept.small)
+        });
+        let shown = apart.map(|points| format!("{points:+.1}")).join(", ");
+        let largest = apart
+            .iter()
+            .fold(0.0_f64, |most, points| most.max(points.abs()));
+        Some(
+            Claim::own_statement(
+                TEXT.said("size").with("choice", choice.words()),
+                format!(
+                    "{shown} points; χ² = {misfit:.1}, {}",
+                    corners(&kept.large, choice)
+                ),
+                largest < 2.0 * FLUCTUATION && (misfit < limit) == (*choice != JUDGED[0]),
+            )
+            .uncertain(format!(
+                "deposits of it: {}",
+                kept.large.deposits_of(choice)
+            )),
+        )
+    });
+    each.collect()
+}
+
+/// The split of a blocked packing's stress by the share of its forces that it is solved anew from.
+fn shares(shares: &Shares) -> Vec<Claim> {
+    // One number is fitted.
+    let [_, _, limit, _] = LIMITS;
+    let [error, motion] = shares.unrest();
+    let ends = |pair| {
+        let at = |share| shares.plus(share, pair).map_or(f64::NAN, |found| found.0);
+        [at(0.0), at(1.0)]
+    };
+    let ([low, high], [few, many]) = (ends([0.0; 2]), ends([1.0; 2]));
+    let (share, misfit) = shares.best().unwrap_or((f64::NAN, f64::NAN));
+    let [none, all] = [0.0, 1.0].map(|share| shares.misfit(share).unwrap_or(f64::NAN));
+    let needed = shares
+        .all_needed()
+        .map(|share| share.map_or("none".into(), |share| format!("{share:.2}")));
+    let claims = [
+        Claim::own_statement(
+            TEXT.said("anew").with("choice", JUDGED[1].words()),
+            format!("total stress within {error:.1e}, porosity within {motion:.0e} points"),
+            error < 0.01 && motion < 0.001,
+        ),
+        Claim::own_statement(
+            TEXT.said("not-unique"),
+            format!("{low:.1} to {high:.1} at (0,0), {few:.2} to {many:.2} at (1,1)"),
+            high > 2.0 * low,
+        ),
+        Claim::own_statement(
+            TEXT.said("one-share").with("limit", limit),
+            format!(
+                "χ² = {misfit:.1} with {share}, {none:.0} with nothing, {all:.0} with all; line by line {}",
+                needed.join(", ")
+            ),
+            misfit < limit && none.min(all) > limit,
+        ),
+    ];
+    let deposits = format!("{} deposits", shares.deposits());
+    claims
+        .into_iter()
+        .map(|claim| claim.uncertain(&deposits))
+        .collect()
 }

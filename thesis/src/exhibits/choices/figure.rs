@@ -1,11 +1,16 @@
 //! Misfits over the group, and the judged choices beside the thesis.
 
 use super::super::stress::TABLE;
-use super::{CORNERS, Choice, JUDGED, LIMITS, RANGES, Table};
-use tribos_report::figure::{Axis, Figure, Legend, Panels, ReferenceLine, Series};
+use super::{CORNERS, Choice, JUDGED, Kept, LIMITS, RANGES, Table};
+use tribos_report::figure::{Axis, Color, Figure, Legend, Panels, ReferenceLine, Series};
 
-/// Misfit and E(1,1) over the group; porosities and stresses of the judged choices beside the thesis'.
-pub(super) fn figure(table: &Table, judged: &[(Choice, f64)]) -> Panels {
+/// Shares of the last forces with a curve.
+const SHOWN: [f64; 5] = [0.0, 0.25, 0.35, 0.5, 1.0];
+
+/// Misfit and E(1,1) over the group; porosities and stresses of the judged choices beside the thesis'; both systems, and
+/// stresses from a share of the last forces.
+pub(super) fn figure(kept: &Kept, judged: &[(Choice, f64)]) -> Panels {
+    let table = &kept.small;
     let over = over_group(
         "Four porosities",
         Axis::log10("χ²"),
@@ -36,7 +41,14 @@ pub(super) fn figure(table: &Table, judged: &[(Choice, f64)]) -> Panels {
                 .map(|found| found.0)
         },
     );
-    let panels = [over, top, porosities, stresses];
+    let panels = [
+        over,
+        top,
+        porosities,
+        stresses,
+        sizes(kept),
+        shares(kept, &lines),
+    ];
     panels
         .into_iter()
         .fold(Panels::new("", 2).cell(660, 420), Panels::figure)
@@ -105,6 +117,46 @@ fn beside(
             figure.series(Series::line_points(
                 choice.words(),
                 placed(lines, |pair| of(choice, pair)),
+            ))
+        })
+}
+
+/// Porosities of the large system, and lines for those of the small one.
+fn sizes(kept: &Kept) -> Figure {
+    let mut figure = Figure::new(
+        "Small system (lines) and large system",
+        names(&CORNERS),
+        Axis::linear("final porosity [%]"),
+    )
+    .legend(Legend::Below);
+    for (at, choice) in JUDGED.iter().enumerate() {
+        let of = |table: &Table| {
+            placed(&CORNERS, |pair| {
+                table.porosity(choice, pair).map(|found| found.0)
+            })
+        };
+        // As in the panels that begin with the thesis.
+        let color = Color::palette(at + 1);
+        figure = figure
+            .series(Series::line(choice.words(), of(&kept.small)).color(color))
+            .series(Series::points("", of(&kept.large)).color(color));
+    }
+    figure
+}
+
+/// σ_zz⁺ of packings solved anew, a series a share.
+fn shares(kept: &Kept, lines: &[([f64; 2], f64)]) -> Figure {
+    let title = format!("Solved anew, {}", JUDGED[1].words());
+    let figure = Figure::new(title, names(lines), Axis::linear("σ_zz⁺/P")).legend(Legend::Below);
+    SHOWN
+        .into_iter()
+        .fold(figure.series(thesis(lines)), |figure, share| {
+            let points = placed(lines, |pair| {
+                kept.shares.plus(share, pair).map(|found| found.0)
+            });
+            figure.series(Series::line_points(
+                format!("{share} of the forces"),
+                points,
             ))
         })
 }
