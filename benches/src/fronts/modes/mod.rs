@@ -66,8 +66,8 @@ in turn. *Difference* is the largest relative difference of the results of two r
 the relative standard deviation of the result over the seeds. Packings, gases and atoms are chaotic: a mode without \
 effect changes last places, and the run makes them as large as the difference shows.
 
-Not every mode can be left out: smooth spheres of a gas store their spins, a disk without spin has it as an unknown \
-(its steps are longer), and a flat cylinder computes a lean of zero under Coulomb's law, where it is cheap.
+Not every mode can be left out: smooth spheres of a gas store their spins, a disk without spin has it as an unknown, \
+and a flat cylinder under Coulomb's law computes a lean of zero.
 ";
 
 /// Runs both scenes of a pair in turn, seed by seed.
