@@ -12,18 +12,18 @@ const ABOUT: &str = "Methods of the thesis: time and error at the usual setting 
                      thesis or a coarser one, as the tables of the fronts have them";
 
 /// A row of a front's table: what it is called here, and the cells by which it is found.
-type Cited = (&'static str, &'static [(&'static str, &'static str)]);
+type CitedRow = (&'static str, &'static [(&'static str, &'static str)]);
 
 /// A method and the two rows that are shown of it.
-struct Place {
-    method: &'static str,
+struct ThesisMethod {
+    name: &'static str,
     /// Where the thesis has it.
     thesis: &'static str,
     front: Front,
     /// Table of the front.
     table: &'static str,
-    usual: Cited,
-    other: Cited,
+    usual: CitedRow,
+    other: CitedRow,
     /// Columns of time and error.
     columns: [&'static str; 2],
     unit: &'static str,
@@ -31,9 +31,9 @@ struct Place {
     meaning: &'static str,
 }
 
-const PLACES: [Place; 8] = [
-    Place {
-        method: "force and torque",
+const METHODS: [ThesisMethod; 8] = [
+    ThesisMethod {
+        name: "force and torque",
         thesis: "3.2 and 3.4.3",
         front: Front::Kernel,
         table: "kernel",
@@ -43,8 +43,8 @@ const PLACES: [Place; 8] = [
         unit: "ns a call",
         meaning: "relative; of the force",
     },
-    Place {
-        method: "sliding disk by Verlet",
+    ThesisMethod {
+        name: "sliding disk by Verlet",
         thesis: "3.4.5",
         front: Front::Integrators,
         table: "integrators",
@@ -68,8 +68,8 @@ const PLACES: [Place; 8] = [
         unit: "us a stop",
         meaning: "relative; of the distance to rest",
     },
-    Place {
-        method: "contact dynamics: tolerance",
+    ThesisMethod {
+        name: "contact dynamics: tolerance",
         thesis: "4.4.2",
         front: Front::Methods,
         table: "methods",
@@ -93,8 +93,8 @@ const PLACES: [Place; 8] = [
         unit: "s a compaction",
         meaning: "deepest overlap in radii",
     },
-    Place {
-        method: "contact dynamics: sweeps",
+    ThesisMethod {
+        name: "contact dynamics: sweeps",
         thesis: "4.4.2",
         front: Front::Contacts,
         table: "contacts_residual",
@@ -118,8 +118,8 @@ const PLACES: [Place; 8] = [
         unit: "ms a solution",
         meaning: "residual of the contact laws",
     },
-    Place {
-        method: "soft particles: stiffness",
+    ThesisMethod {
+        name: "soft particles: stiffness",
         thesis: "4.4.1",
         front: Front::Methods,
         table: "methods",
@@ -143,8 +143,8 @@ const PLACES: [Place; 8] = [
         unit: "s a compaction",
         meaning: "deepest overlap in radii",
     },
-    Place {
-        method: "event driven",
+    ThesisMethod {
+        name: "event driven",
         thesis: "4.4.1",
         front: Front::Methods,
         table: "methods",
@@ -168,8 +168,8 @@ const PLACES: [Place; 8] = [
         unit: "s for 6 gases",
         meaning: "relative; of the temperature of a gas that cools",
     },
-    Place {
-        method: "molecular dynamics: step",
+    ThesisMethod {
+        name: "molecular dynamics: step",
         thesis: "5.3",
         front: Front::Atoms,
         table: "atoms_drift",
@@ -185,8 +185,8 @@ const PLACES: [Place; 8] = [
         unit: "atom-steps in a unit of time",
         meaning: "fluctuation of the energy of an atom",
     },
-    Place {
-        method: "molecular dynamics: thermostat",
+    ThesisMethod {
+        name: "molecular dynamics: thermostat",
         thesis: "5.3",
         front: Front::Atoms,
         table: "atoms_drift",
@@ -213,33 +213,37 @@ pub fn write(setting: &Setting<'_>) -> Result<String, String> {
 
 /// The table from the fronts that are in the folder; a hyphen where a front lacks a row.
 fn sheet(folder: &Path) -> Sheet {
-    let cells = |place: &Place, cited: Cited| {
-        let path = folder.join(format!("{}.csv", place.table));
+    let cells = |method: &ThesisMethod, cited: CitedRow| {
+        let path = folder.join(format!("{}.csv", method.table));
         let text = std::fs::read_to_string(path).unwrap_or_default();
         let cell = |column| {
             let value = found(&text, cited.1, column).and_then(|cell| cell.parse::<f64>().ok());
             value.map_or("-".into(), |value| short(value.abs()))
         };
-        place.columns.map(cell)
+        method.columns.map(cell)
     };
-    let rows = PLACES
-        .iter()
-        .map(|place| (place, cells(place, place.usual), cells(place, place.other)));
+    let rows = METHODS.iter().map(|method| {
+        (
+            method,
+            cells(method, method.usual),
+            cells(method, method.other),
+        )
+    });
     Sheet::of(
         ABOUT,
         rows,
         &[
-            ("method", &|(place, ..)| place.method.into()),
-            ("thesis", &|(place, ..)| place.thesis.into()),
-            ("front", &|(place, ..)| place.front.name().into()),
-            ("setting", &|(place, ..)| place.usual.0.into()),
+            ("method", &|(method, ..)| method.name.into()),
+            ("thesis", &|(method, ..)| method.thesis.into()),
+            ("front", &|(method, ..)| method.front.name().into()),
+            ("setting", &|(method, ..)| method.usual.0.into()),
             ("time", &|(_, [time, _], _)| time.clone()),
             ("error", &|(_, [_, error], _)| error.clone()),
-            ("other setting", &|(place, ..)| place.other.0.into()),
+            ("other setting", &|(method, ..)| method.other.0.into()),
             ("its time", &|(.., [time, _])| time.clone()),
             ("its error", &|(.., [_, error])| error.clone()),
-            ("unit of time", &|(place, ..)| place.unit.into()),
-            ("error is", &|(place, ..)| place.meaning.into()),
+            ("unit of time", &|(method, ..)| method.unit.into()),
+            ("error is", &|(method, ..)| method.meaning.into()),
         ],
     )
 }

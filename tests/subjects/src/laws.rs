@@ -46,7 +46,7 @@ macro_rules! memoryless {
 memoryless! {
     dry: "dry friction", "dry:mu_s=0.4,mu_d=0.3", "law::dry law::grip",
         "DryFriction::new(0.5 as R, 0.25)", "object.net_drive(a)";
-    coulomb: "CoulombDisk", "coulomb:mu=0.3", "law::coulomb", "CoulombLaw::new(b)";
+    coulomb: "Coulomb", "coulomb:mu=0.3", "law::coulomb", "CoulombLaw::new(b)";
     power: "power", "power:gamma=0.3,alpha=0.5", "law::power", "PowerLaw::new(0.5, b)";
     stribeck: "Stribeck", "stribeck:mu_s=0.4,mu_d=0.2,vs=0.05,k=0.02", "law::stribeck law::dry",
         "Stribeck::new(StribeckParameters { dry: DryFriction::new(0.5, 0.25).ok()?, speed: b, exponent: 2.0, viscous: 0.125 })";

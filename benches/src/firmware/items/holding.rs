@@ -33,7 +33,7 @@ pub const HOLDING: [Item; 12] = [
         "ExponentialBond::new(2.0, b).ok()?",
     ),
     bond(
-        "WeibullBond",
+        "Weibull",
         "bond::weibull law",
         "WeibullBond::new(2.0, b, 4.0).ok()?",
     ),

@@ -26,10 +26,10 @@ const QUICK_LOOKS: usize = 25;
 const BATH: [f64; 2] = [0.72, 0.5];
 
 /// A case: its name in tables and pictures, what is done at the cut-off, temperature and relaxation time of a thermostat.
-type Case = (&'static str, Shift, Option<[f64; 2]>);
+type DriftCase = (&'static str, Shift, Option<[f64; 2]>);
 
 /// All cases.
-pub const CASES: [Case; 4] = [
+pub const CASES: [DriftCase; 4] = [
     ("truncated", Shift::None, None),
     ("energy shifted", Shift::Energy, None),
     ("force shifted", Shift::Force, None),
@@ -70,7 +70,7 @@ pub fn measure(is_quick: bool) -> Result<Vec<Run>, String> {
     runs
 }
 
-fn run(melt: &Melt, (case, shift, bath): Case, dt: f64, looks: usize) -> Result<Run, String> {
+fn run(melt: &Melt, (case, shift, bath): DriftCase, dt: f64, looks: usize) -> Result<Run, String> {
     let thermostat = match bath {
         Some([heat, time]) => NoseHoover::new(heat, time, RotationBias::Counts)
             .map(Thermostat::NoseHoover)

@@ -10,7 +10,7 @@ use crate::clock::Clock;
 use crate::picture::{PicturePoint, scatter};
 use crate::timing::median;
 use crate::written::{Sheet, short};
-use pairs::{Carried, PAIRS, Pair};
+use pairs::{BodySize, ModePair, PAIRS};
 use tribos::golden::{Quantity, measure};
 use tribos::scene::Scene;
 
@@ -24,13 +24,13 @@ const ROUNDING: f64 = 1e-16;
 const PICTURE: &str = "modes.svg";
 
 /// Time in s and result of the run without the mode, and of that with it.
-type Round = [[f64; 2]; 2];
+type SeedRuns = [[f64; 2]; 2];
 
 /// A pair of runs, measured.
-struct Price {
-    pair: Pair,
-    carried: [Carried; 2],
-    rounds: Vec<Round>,
+struct ModePrice {
+    pair: ModePair,
+    carried: [BodySize; 2],
+    rounds: Vec<SeedRuns>,
 }
 
 /// Makes the front.
@@ -65,13 +65,16 @@ mode over that with it: the median over the seeds (over rounds, where a scene ha
 in turn. *Difference* is the largest relative difference of the results of two runs with the same seed, *scatter* \
 the relative standard deviation of the result over the seeds. Packings, gases and atoms are chaotic: a mode without \
 effect changes last places, and the run makes them as large as the difference shows.
+
+Not every mode can be left out: smooth spheres of a gas store their spins, a disk without spin has it as an unknown, \
+and a flat cylinder under Coulomb's law computes a lean of zero.
 ";
 
 /// Runs both scenes of a pair in turn, seed by seed.
-fn price(pair: Pair, seeds: u64) -> Result<Price, String> {
+fn price(pair: ModePair, seeds: u64) -> Result<ModePrice, String> {
     let told = |error: &dyn std::fmt::Display| format!("{}: {}: {error}", pair.body, pair.mode);
     let [left_out, present] = pair.scenes(1)?;
-    let carried = |scene| Carried::by(scene).map_err(|error| told(&error));
+    let carried = |scene| BodySize::by(scene).map_err(|error| told(&error));
     let carried = [carried(&left_out)?, carried(&present)?];
     let mut rounds = Vec::new();
     for seed in 1..=seeds {
@@ -79,7 +82,7 @@ fn price(pair: Pair, seeds: u64) -> Result<Price, String> {
         let run = |scene| timed(scene, pair.result).map_err(|error| told(&error));
         rounds.push([run(&left_out)?, run(&present)?]);
     }
-    Ok(Price {
+    Ok(ModePrice {
         pair,
         carried,
         rounds,
@@ -105,7 +108,7 @@ fn timed(scene: &Scene, result: &str) -> Result<[f64; 2], String> {
     }
 }
 
-impl Price {
+impl ModePrice {
     /// Median time of a run without the mode, 0, or with it, 1; in s.
     fn seconds(&self, run: usize) -> f64 {
         median(&self.rounds.iter().map(|r| r[run][0]).collect::<Vec<_>>())
@@ -113,13 +116,13 @@ impl Price {
 
     /// Time without the mode over that with it.
     fn ratio(&self) -> f64 {
-        let ratio = |[left_out, present]: &Round| left_out[0] / present[0];
+        let ratio = |[left_out, present]: &SeedRuns| left_out[0] / present[0];
         median(&self.rounds.iter().map(ratio).collect::<Vec<_>>())
     }
 
     /// Largest relative difference of the results.
     fn difference(&self) -> f64 {
-        let off = |[left_out, present]: &Round| (present[1] / left_out[1] - 1.0).abs();
+        let off = |[left_out, present]: &SeedRuns| (present[1] / left_out[1] - 1.0).abs();
         self.rounds.iter().map(off).fold(0.0, f64::max)
     }
 
@@ -134,10 +137,10 @@ impl Price {
 }
 
 /// A row a pair.
-fn sheet(prices: &[Price], seeds: u64) -> Sheet {
+fn sheet(prices: &[ModePrice], seeds: u64) -> Sheet {
     // No decimals of a count, and one cell for both runs.
     let of = |[left_out, present]: [String; 2]| format!("{left_out} of {present}");
-    let bytes = |price: &Price| match price.carried.map(|carried| carried.bytes) {
+    let bytes = |price: &ModePrice| match price.carried.map(|carried| carried.bytes) {
         [Some(left_out), Some(present)] => of([left_out, present].map(|bytes| bytes.to_string())),
         _ => "-".into(),
     };
@@ -169,8 +172,8 @@ fn sheet(prices: &[Price], seeds: u64) -> Sheet {
 }
 
 /// Difference of the result over the time.
-fn draw(setting: &Setting<'_>, prices: &[Price]) -> Result<(), String> {
-    let point = |price: &Price| PicturePoint {
+fn draw(setting: &Setting<'_>, prices: &[ModePrice]) -> Result<(), String> {
+    let point = |price: &ModePrice| PicturePoint {
         label: price.pair.mode.into(),
         group: price.pair.body.into(),
         at: (price.ratio(), price.difference().max(ROUNDING)),
@@ -188,9 +191,9 @@ fn draw(setting: &Setting<'_>, prices: &[Price]) -> Result<(), String> {
 }
 
 /// Summary of the front.
-fn line(prices: &[Price]) -> String {
-    let told = |price: &Price| {
-        let Pair { body, mode, .. } = price.pair;
+fn line(prices: &[ModePrice]) -> String {
+    let told = |price: &ModePrice| {
+        let ModePair { body, mode, .. } = price.pair;
         let (ratio, difference) = (short(price.ratio()), short(price.difference()));
         format!("{body} without {mode} {ratio} ({difference})")
     };

@@ -6,15 +6,15 @@ use tribos::run::PackingRunError;
 use tribos::scene::{Scene, ThermostatKind, library_scene};
 
 /// A scene of the library, and the keys that the run has of its own.
-type Keyed = (&'static str, &'static [&'static str]);
+type RunKeys = (&'static str, &'static [&'static str]);
 
 /// Two runs with the same result, of which one leaves a mode out.
 #[derive(Clone, Copy, Debug)]
-pub struct Pair {
+pub struct ModePair {
     pub body: &'static str,
     pub mode: &'static str,
-    pub left_out: Keyed,
-    pub present: Keyed,
+    pub left_out: RunKeys,
+    pub present: RunKeys,
     /// Keys of both runs.
     pub both: &'static [&'static str],
     pub has_seed: bool,
@@ -23,7 +23,7 @@ pub struct Pair {
 }
 
 /// A deposit of 20 R, of about 140 spheres.
-const POWDER: Pair = Pair {
+const POWDER: ModePair = ModePair {
     body: "powder",
     mode: "rolling and torsion",
     left_out: ("compaction-small", &[]),
@@ -37,7 +37,7 @@ const POWDER: Pair = Pair {
 };
 
 /// A tip of a few hundred atoms on a substrate, for 1000 steps.
-const TIP: Pair = Pair {
+const TIP: ModePair = ModePair {
     body: "tip",
     mode: "Nose-Hoover thermostat",
     left_out: ("tip-reversible", &["thermostat=\"none\""]),
@@ -57,7 +57,7 @@ const TIP: Pair = Pair {
 };
 
 /// The tall cylinder, flat or as good as flat.
-const CYLINDER: Pair = Pair {
+const CYLINDER: ModePair = ModePair {
     body: "cylinder",
     mode: "lean",
     left_out: ("cylinder", &["height=0"]),
@@ -68,32 +68,32 @@ const CYLINDER: Pair = Pair {
 };
 
 /// All pairs.
-pub const PAIRS: [Pair; 11] = [
+pub const PAIRS: [ModePair; 11] = [
     POWDER,
-    Pair {
+    ModePair {
         mode: "rolling",
         present: ("compaction-small", &["mu_rolling=1e-12"]),
         ..POWDER
     },
-    Pair {
+    ModePair {
         mode: "torsion",
         present: ("compaction-small", &["mu_torsion=1e-12"]),
         ..POWDER
     },
-    Pair {
+    ModePair {
         mode: "sliding",
         left_out: ("compaction-small", &["mu=0"]),
         present: ("compaction-small", &["mu=1e-12"]),
         ..POWDER
     },
-    Pair {
+    ModePair {
         body: "powder of soft spheres",
         left_out: ("compaction-soft", &[]),
         present: ("compaction-soft", &["mu_rolling=1e-12", "mu_torsion=1e-12"]),
         both: &["width=10", "height=20"],
         ..POWDER
     },
-    Pair {
+    ModePair {
         body: "gas",
         mode: "friction and spin",
         left_out: ("gas-haff", &[]),
@@ -102,7 +102,7 @@ pub const PAIRS: [Pair; 11] = [
         has_seed: true,
         result: "temperature",
     },
-    Pair {
+    ModePair {
         body: "disk",
         mode: "spin",
         left_out: ("disk", &["spin=0"]),
@@ -112,13 +112,13 @@ pub const PAIRS: [Pair; 11] = [
         result: "distance",
     },
     CYLINDER,
-    Pair {
+    ModePair {
         mode: "lean under Stribeck's law",
         both: &["law=\"stribeck:mu_s=0.4,mu_d=0.2,vs=0.05\""],
         ..CYLINDER
     },
     TIP,
-    Pair {
+    ModePair {
         mode: "Langevin thermostat",
         present: (
             "tip-reversible",
@@ -128,11 +128,11 @@ pub const PAIRS: [Pair; 11] = [
     },
 ];
 
-impl Pair {
+impl ModePair {
     /// The run without the mode and that with it; a scene without a seed is the same every time.
     pub fn scenes(&self, seed: u64) -> Result<[Scene; 2], String> {
         let seed = self.has_seed.then(|| format!("seed={seed}"));
-        let read = |(name, own): Keyed| {
+        let read = |(name, own): RunKeys| {
             let known = library_scene(name).ok_or(format!("no scene {name}"))?;
             let keys = self.both.iter().chain(own).map(ToString::to_string);
             let keys: Vec<String> = keys.chain(seed.clone()).collect();
@@ -149,13 +149,13 @@ impl Pair {
 
 /// What a scene carries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Carried {
+pub struct BodySize {
     pub unknowns: usize,
     /// Bytes of a contact; none of a body without stored contacts.
     pub bytes: Option<usize>,
 }
 
-impl Carried {
+impl BodySize {
     /// Unknowns of a contact, of a sphere of a gas, of a sliding body, or of all atoms and their thermostats.
     pub fn by(scene: &Scene) -> Result<Self, PackingRunError> {
         let free = |unknowns| Self {
@@ -198,7 +198,7 @@ mod tests {
             let carried = pair
                 .scenes(1)
                 .unwrap()
-                .map(|scene| Carried::by(&scene).unwrap());
+                .map(|scene| BodySize::by(&scene).unwrap());
             let [left_out, present] = carried;
             assert!(left_out.unknowns <= present.unknowns, "{pair:?}");
             assert!(left_out.bytes <= present.bytes, "{pair:?}");
