@@ -5,7 +5,8 @@
 //! ```
 //!
 //! The first argument is the table, all others are folders of sweeps, finished or not; runs that have not ended are
-//! left out. The head of the table, which names the sweeps, and its columns stay: keys of a run's scene, or of its summary.
+//! left out. The head of the table, which names the sweeps, and its columns stay: keys of a run's scene, or of its summary,
+//! where `slid.friction` is a key within a key. Of a list it takes every entry, with blanks between.
 
 use anyhow::{Context, Result, ensure};
 use serde_json::Value;
@@ -52,13 +53,25 @@ fn line(run: &Path, columns: &str) -> Result<Option<(f64, String)>> {
     let summary: Value =
         serde_json::from_str(&text).with_context(|| format!("{} cannot be read", run.display()))?;
     let scene = with_present_names(&summary["scene"]);
-    let words = columns.split(',').map(|key| {
-        let value = scene.get(key).unwrap_or(&summary[key]);
-        value
-            .as_str()
-            .map_or_else(|| value.to_string(), String::from)
+    let words = columns.split(',').map(|key| match scene.get(key) {
+        Some(value) => word(value, ""),
+        None => word(&summary, key),
     });
     let words: Vec<String> = words.collect();
     let seed = scene["seed"].as_f64().unwrap_or(f64::NAN);
     Ok(Some((seed, words.join(","))))
+}
+
+/// What is found at a path of keys, as a word of the table.
+fn word(value: &Value, path: &str) -> String {
+    if let Value::Array(all) = value {
+        let words: Vec<String> = all.iter().map(|one| word(one, path)).collect();
+        return words.join(" ");
+    }
+    if path.is_empty() {
+        let text = value.as_str().map(String::from);
+        return text.unwrap_or_else(|| value.to_string());
+    }
+    let (key, rest) = path.split_once('.').unwrap_or((path, ""));
+    word(&value[key], rest)
 }

@@ -4,7 +4,7 @@ use crate::exhibit::Exhibit;
 use crate::text::Text;
 use anyhow::Result;
 use tribos::powder::deposit::curve::{COLUMNS, PorosityCurve, Sample};
-use tribos::powder::deposit::{Ballistic, DepositTarget};
+use tribos::powder::deposit::{Ballistic, Deposit, DepositTarget};
 use tribos::statistics::{statistics, straight_line};
 use tribos_report::claim::{Claim, MismatchMeaning, Statement};
 use tribos_report::runs::deposit::porosity;
@@ -32,6 +32,8 @@ pub fn figure_4_5() -> Result<Exhibit> {
     let [width, height] = CURVE;
     let curve = PorosityCurve::new(width, DepositTarget::Cut(height), FIRST_SEED)?;
     let mut claims = curve_claims(&curve);
+    claims.push(points_claim(&curve)?);
+    claims.extend(branch_claims()?);
     claims.extend(system_claims()?);
     Ok(Exhibit::new(
         TEXT.prose()
@@ -62,6 +64,66 @@ fn curve_claims(curve: &PorosityCurve) -> Vec<Claim> {
         Claim::own(TEXT.said("sticking-spheres"), touching, 0.15, 0.01),
         Claim::not_checkable(TEXT.said("points")),
     ]
+}
+
+/// Deposits of each point of the figure (section 4.5).
+const POINT: u64 = 5;
+
+/// The first point of the curve is the mean of as many deposits.
+fn points_claim(curve: &PorosityCurve) -> Result<Claim> {
+    let [width, height] = CURVE;
+    let [_, capture, kept, ..] = curve.rows.first().copied().unwrap_or_default();
+    let sample = Sample::new(
+        &Ballistic::new(width, 1.0, capture)?,
+        DepositTarget::Cut(height),
+        FIRST_SEED..FIRST_SEED + POINT,
+    )?;
+    let (porosity, _) = statistics(&sample.porosity);
+    let said = TEXT.said("five");
+    Ok(Claim::definition(said, format!("{POINT}"), porosity == kept).printed("5"))
+}
+
+/// The pressure on the piston, in F_coh/R² (section 4.5).
+const PRESSURE: f64 = 1.0 / 400.0;
+
+/// Distance between branches and load on one, in the small system.
+fn branch_claims() -> Result<[Claim; 2]> {
+    let (_, width, height, _) = SYSTEMS[0];
+    let ballistic = Ballistic::new(width, 1.0, 3.0)?;
+    let mut all = Vec::new();
+    for seed in FIRST_SEED..FIRST_SEED + DEPOSITS {
+        let deposit = ballistic.grow(DepositTarget::Cut(height), seed)?;
+        all.push(width / crossings(&deposit, height).sqrt());
+    }
+    let (distance, scatter) = statistics(&all);
+    let share = 1.0 / (PRESSURE * distance * distance);
+    let uncertainty = format!("± {scatter:.1}, one of {DEPOSITS} deposits");
+    Ok([
+        Claim::trend(
+            TEXT.said("branches"),
+            format!("{distance:.1}R"),
+            (2.5..10.0).contains(&distance),
+        )
+        .printed("5R")
+        .uncertain(uncertainty),
+        Claim::trend(
+            TEXT.said("branch-load"),
+            format!("F_coh/{share:.0}"),
+            (8.0..32.0).contains(&share),
+        )
+        .printed("1/16"),
+    ])
+}
+
+/// Bonds that cross a horizontal plane, in the mean over the planes of the middle half.
+fn crossings(deposit: &Deposit, height: f64) -> f64 {
+    let [low, high] = [0.25 * height, 0.75 * height];
+    let bonds = deposit.positions.iter().zip(&deposit.parents);
+    let risen = bonds.filter_map(|(place, parent)| {
+        let parent = deposit.positions.get((*parent)? as usize)?;
+        Some((place.z.clamp(low, high) - parent.z.clamp(low, high)).abs())
+    });
+    risen.sum::<f64>() / (high - low)
 }
 
 /// The density as a straight line and as a power.

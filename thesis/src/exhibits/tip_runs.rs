@@ -6,7 +6,8 @@ use std::num::NonZero;
 use std::thread::available_parallelism;
 use tribos::run::in_order;
 use tribos::scene::TipScene;
-use tribos::tip::{TipSimulation, TipSummary};
+use tribos::statistics::mean_and_error;
+use tribos::tip::{SlidingSummary, TipSimulation, TipSummary};
 
 /// Runs of each row.
 pub(super) const SEEDS: u64 = 5;
@@ -41,27 +42,97 @@ impl RunResult {
     }
 }
 
+/// A row of slid tips with what it is at.
+#[derive(Debug)]
+pub(super) struct Point {
+    pub load: f64,
+    pub speed: f64,
+    pub temperature: f64,
+    pub slid: Vec<Slide>,
+}
+
+/// What a slid tip left.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slide {
+    pub friction: f64,
+    pub normal_force: f64,
+    pub period: f64,
+    pub imbalance: f64,
+    pub loop_work: f64,
+}
+
+impl Slide {
+    /// Of a run.
+    pub fn of(ran: &RunResult) -> Option<Self> {
+        let SlidingSummary {
+            friction,
+            normal_force,
+            period,
+            imbalance,
+            loop_work,
+            ..
+        } = ran.outcome.slid?;
+        Some(Self {
+            friction,
+            normal_force,
+            period,
+            imbalance,
+            loop_work,
+        })
+    }
+}
+
+impl Point {
+    /// Of the runs of a row.
+    pub fn new([load, speed, temperature]: [f64; 3], ran: &[RunResult]) -> Self {
+        Self {
+            load,
+            speed,
+            temperature,
+            slid: ran.iter().filter_map(Slide::of).collect(),
+        }
+    }
+
+    /// Mean and standard error of a number of the slid tips.
+    pub fn of(&self, number: fn(&Slide) -> f64) -> [f64; 2] {
+        mean_and_error(&self.slid.iter().map(number).collect::<Vec<_>>())
+    }
+
+    pub fn friction(&self) -> [f64; 2] {
+        self.of(|slid| slid.friction)
+    }
+}
+
+/// One seed of a row, and the name of the run.
+pub(super) fn one(runs: &Runs, row: &Row, seed: u64) -> Result<(String, RunResult)> {
+    let name = format!("{},{},seed={seed}", row.name, runs.effort().name());
+    let scene = TipScene {
+        seed,
+        ..row.scene.clone()
+    };
+    let folder = runs.kept().run(&name);
+    let run: TipSimulation = runs.session(&folder).run(&scene)?;
+    let ran = RunResult {
+        outcome: run.outcome(),
+        columns: run.columns(),
+        series: run.series().to_vec(),
+    };
+    Ok((name, ran))
+}
+
 /// All seeds of each row, as many runs at a time as the machine has cores.
 pub(super) fn all(runs: &Runs, rows: &[Row]) -> Result<Vec<Vec<RunResult>>> {
     let count = rows.len() * SEEDS as usize;
     let threads = available_parallelism().map_or(1, NonZero::get);
     let batch = Batch::new(count, runs.reader());
     let results = in_order(count, threads, |index| {
-        let row = &rows[index / SEEDS as usize];
-        let seed = 1 + index as u64 % SEEDS;
-        let name = format!("{},{},seed={seed}", row.name, runs.effort().name());
-        let scene = TipScene {
-            seed,
-            ..row.scene.clone()
-        };
-        let folder = runs.kept().run(&name);
-        let run: TipSimulation = runs.session(&folder).run(&scene)?;
+        let (name, ran) = one(
+            runs,
+            &rows[index / SEEDS as usize],
+            1 + index as u64 % SEEDS,
+        )?;
         batch.tell(&name);
-        anyhow::Ok(RunResult {
-            outcome: run.outcome(),
-            columns: run.columns(),
-            series: run.series().to_vec(),
-        })
+        anyhow::Ok(ran)
     });
     let mut results = results.into_iter();
     let mut take = || {

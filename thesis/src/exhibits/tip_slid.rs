@@ -1,66 +1,41 @@
 //! Section 5.3: the experiments with the atomic force microscope, on the slid tip.
 
-use super::tip_runs::{Line, Row, RunResult, SEEDS, all, slid};
+use super::tip_loads::{self, load_claims, repeated};
+use super::tip_runs::{Line, Point, Row, RunResult, SEEDS, Slide, all, slid};
 use crate::exhibit::Exhibit;
 use crate::runs::{Effort, Runs};
 use crate::text::Text;
 use anyhow::Result;
 use tribos::statistics::mean_and_error;
-use tribos::tip::SlidingSummary;
 use tribos_report::claim::Claim;
 use tribos_report::figure::{Axis, Figure, Panels, Series};
 
-const TEXT: Text = Text(include_str!("section-5.3.md"));
+pub(super) const TEXT: Text = Text(include_str!("section-5.3.md"));
 
 /// Speed, load on a driven atom and temperature of the row that is varied.
 const SPEED: f64 = 0.2;
 const LOAD: f64 = 1.0;
-const TEMPERATURE: f64 = 0.1;
+pub(super) const TEMPERATURE: f64 = 0.1;
 
 /// Periods of the lateral force that count as the lattice's, in spacings: ours. A tip may jump over
 /// more than one site.
 const PERIODS: std::ops::RangeInclusive<f64> = 0.5..=2.0;
-/// What a row may leave the line by where friction is called "rather linear": ours.
-const RATHER: f64 = 0.2;
 
-/// What is varied, in the order of the rows.
+/// What is varied beside the load.
 struct Plan {
-    loads: &'static [f64],
     speeds: &'static [f64],
     temperatures: &'static [f64],
 }
 
 /// Each list contains the value of the row that is varied.
 const QUICK: Plan = Plan {
-    loads: &[0.0, 1.0, 2.0],
     speeds: &[0.1, 0.2, 0.4],
     temperatures: &[0.01, 0.1, 0.3],
 };
 const FULL: Plan = Plan {
-    loads: &[0.0, 0.5, 1.0, 1.5, 2.0, 3.0],
     speeds: &[0.025, 0.05, 0.1, 0.2, 0.4],
     temperatures: &[0.01, 0.03, 0.1, 0.2, 0.3],
 };
-
-/// A row of runs with what it is at.
-struct Point {
-    load: f64,
-    speed: f64,
-    temperature: f64,
-    ran: Vec<RunResult>,
-}
-
-impl Point {
-    /// Mean and standard error of a number of the slid tips.
-    fn of(&self, number: fn(&SlidingSummary) -> f64) -> [f64; 2] {
-        let slid = self.ran.iter().filter_map(|ran| ran.outcome.slid.as_ref());
-        mean_and_error(&slid.map(number).collect::<Vec<_>>())
-    }
-
-    fn friction(&self) -> [f64; 2] {
-        self.of(|slid| slid.friction)
-    }
-}
 
 /// The points at which the runs are, each once.
 fn points(effort: Effort) -> Vec<[f64; 3]> {
@@ -68,11 +43,11 @@ fn points(effort: Effort) -> Vec<[f64; 3]> {
         Effort::Quick => QUICK,
         Effort::Full => FULL,
     };
-    let loads = plan.loads.iter().map(|&load| [load, SPEED, TEMPERATURE]);
+    let own = [LOAD, SPEED, TEMPERATURE];
     let others = |list: &'static [f64], own: f64| list.iter().copied().filter(move |&x| x != own);
     let speeds = others(plan.speeds, SPEED).map(|speed| [LOAD, speed, TEMPERATURE]);
     let heats = others(plan.temperatures, TEMPERATURE).map(|heat| [LOAD, SPEED, heat]);
-    loads.chain(speeds).chain(heats).collect()
+    std::iter::once(own).chain(speeds).chain(heats).collect()
 }
 
 /// The friction loop, and friction over load, speed and temperature.
@@ -80,30 +55,29 @@ pub fn section_5_3(runs: &Runs) -> Result<Exhibit> {
     let at = points(runs.effort());
     let row = |&[load, speed, heat]: &[f64; 3]| slid(runs.effort(), speed, load, heat);
     let rows: Vec<Row> = at.iter().map(row).collect();
+    let ran = all(runs, &rows)?;
     let points: Vec<Point> = at
         .into_iter()
-        .zip(all(runs, &rows)?)
-        .map(|([load, speed, temperature], ran)| Point {
-            load,
-            speed,
-            temperature,
-            ran,
-        })
+        .zip(&ran)
+        .map(|(at, ran)| Point::new(at, ran))
         .collect();
-    let usual = |point: &&Point| point.speed == SPEED && point.temperature == TEMPERATURE;
-    let loads: Vec<&Point> = points.iter().filter(usual).collect();
-    let at_load = |point: &&Point| point.load == LOAD;
-    let speeds: Vec<&Point> = points
-        .iter()
-        .filter(|point| at_load(point) && point.temperature == TEMPERATURE)
-        .collect();
-    let heats: Vec<&Point> = points
-        .iter()
-        .filter(|point| at_load(point) && point.speed == SPEED)
-        .collect();
+    let loads = tip_loads::points(runs)?;
+    let of = |is_of: fn(&&Point) -> bool| points.iter().filter(is_of).collect::<Vec<_>>();
+    let speeds = of(|point| point.temperature == TEMPERATURE);
+    let heats = of(|point| point.speed == SPEED);
+    let every: Vec<&Point> = loads.iter().chain(&points).collect();
+    let mut claims = claims(rows[0].scene.spacing, &loads, &every);
+    claims.extend(load_claims(&loads));
+    claims.push(speed_claim(&speeds));
+    claims.push(Claim::not_checkable(
+        TEXT.said("temperature").with("frictions", list(&heats)),
+    ));
+    let seeds = format!("{SEEDS} seeds a row");
+    let claims = claims.into_iter().map(|claim| claim.uncertain(&seeds));
+    let claims = claims.chain([repeated(runs)?]).collect();
     Ok(Exhibit::new(
         TEXT.prose_of(runs.effort()),
-        figure(&loads, &speeds, &heats),
+        figure(slowest(&rows, &ran), &loads, &speeds, &heats),
         &[
             "load",
             "speed",
@@ -116,12 +90,19 @@ pub fn section_5_3(runs: &Runs) -> Result<Exhibit> {
             "period_error",
             "imbalance",
         ],
-        points.iter().map(numbers).collect(),
-        claims(&rows[0], &loads, &speeds, &heats)
-            .into_iter()
-            .map(|claim| claim.uncertain(format!("{SEEDS} seeds a row")))
-            .collect(),
+        every.into_iter().map(numbers).collect(),
+        claims,
     ))
+}
+
+/// The first run of the slowest row.
+fn slowest<'a>(rows: &[Row], ran: &'a [Vec<RunResult>]) -> Option<&'a RunResult> {
+    let slower = |a: &(&Row, _), b: &(&Row, _)| {
+        let [a, b] = [a, b].map(|(row, _)| row.scene.speed.unwrap_or_default());
+        a.total_cmp(&b)
+    };
+    let (_, ran) = rows.iter().zip(ran).min_by(slower)?;
+    ran.first()
 }
 
 fn numbers(point: &Point) -> Vec<f64> {
@@ -147,14 +128,19 @@ fn curve(points: &[&Point], x: impl Fn(&Point) -> f64) -> Series {
     Series::line_points("", line).errors(errors)
 }
 
-fn figure(loads: &[&Point], speeds: &[&Point], heats: &[&Point]) -> Panels {
+fn figure(
+    slowest: Option<&RunResult>,
+    loads: &[Point],
+    speeds: &[&Point],
+    heats: &[&Point],
+) -> Panels {
     let friction = || Axis::linear("friction [ε/σ]");
     let mut circuit = Figure::new(
         "Friction loop",
         Axis::linear("support [σ]"),
         Axis::linear("lateral force [ε/σ]"),
     );
-    if let Some(ran) = speeds.first().and_then(|point| point.ran.first()) {
+    if let Some(ran) = slowest {
         circuit = circuit.series(Series::line("", ran.curve("support", "lateral_force")));
     }
     let normal = |point: &Point| point.of(|slid| slid.normal_force)[0];
@@ -162,7 +148,7 @@ fn figure(loads: &[&Point], speeds: &[&Point], heats: &[&Point]) -> Panels {
         .figure(circuit)
         .figure(
             Figure::new("Load", Axis::linear("normal force [ε/σ]"), friction())
-                .series(curve(loads, normal)),
+                .series(curve(&loads.iter().collect::<Vec<_>>(), normal)),
         )
         .figure(
             Figure::new("Speed", Axis::log10("speed [√(ε/m)]"), friction())
@@ -179,26 +165,12 @@ fn figure(loads: &[&Point], speeds: &[&Point], heats: &[&Point]) -> Panels {
 }
 
 /// What section 5.3 says of experiments and simulations of others.
-fn claims(row: &Row, loads: &[&Point], speeds: &[&Point], heats: &[&Point]) -> Vec<Claim> {
-    let at_own = |point: &&&Point| {
-        (point.load, point.speed, point.temperature) != (LOAD, SPEED, TEMPERATURE)
-    };
-    let others = || speeds.iter().chain(heats).filter(at_own);
-    let every = || loads.iter().chain(others());
-    let slid = |point: &&&Point| -> Vec<SlidingSummary> {
-        point
-            .ran
-            .iter()
-            .filter_map(|ran| ran.outcome.slid)
-            .collect()
-    };
-    let [period, error] = mean_and_error(
-        &loads
-            .iter()
-            .map(|point| point.of(|slid| slid.period)[0] / row.scene.spacing)
-            .collect::<Vec<_>>(),
-    );
-    let all: Vec<SlidingSummary> = every().flat_map(|point| slid(&point)).collect();
+fn claims(spacing: f64, loads: &[Point], every: &[&Point]) -> Vec<Claim> {
+    let periods = loads
+        .iter()
+        .map(|point| point.of(|slid| slid.period)[0] / spacing);
+    let [period, error] = mean_and_error(&periods.collect::<Vec<_>>());
+    let all: Vec<Slide> = every.iter().flat_map(|point| point.slid.clone()).collect();
     let open = all.iter().filter(|slid| slid.loop_work > 0.0).count();
     let balance = all
         .iter()
@@ -215,58 +187,12 @@ fn claims(row: &Row, loads: &[&Point], speeds: &[&Point], heats: &[&Point]) -> V
             format!("{open} of {} loops have a positive area", all.len()),
             open == all.len(),
         ),
-        load_claim(loads),
-        Claim::not_checkable(TEXT.said("coefficient").with("mu", {
-            let line = load_line(loads);
-            format!("{:.4} ± {:.4}", line.slope, line.error)
-        }))
-        .printed("0.01"),
-        speed_claim(speeds),
         Claim::own_statement(
             TEXT.said("heat"),
             format!("{:.2} % of the work at most is missing", 100.0 * balance),
             balance < 0.05,
         ),
-        Claim::not_checkable(TEXT.said("temperature").with("frictions", list(heats))),
     ]
-}
-
-/// Friction of each run over its normal force.
-fn load_line(loads: &[&Point]) -> Line {
-    let of_run = |ran: &RunResult| {
-        let slid = ran.outcome.slid?;
-        Some((slid.normal_force, slid.friction))
-    };
-    let all: Vec<(f64, f64)> = loads
-        .iter()
-        .flat_map(|point| point.ran.iter().filter_map(of_run))
-        .collect();
-    Line::through(&all)
-}
-
-fn load_claim(loads: &[&Point]) -> Claim {
-    let line = load_line(loads);
-    // Means of the rows against the line, in their standard errors and in parts of the friction.
-    let off = |size: fn([f64; 2]) -> f64| {
-        let rows = loads.iter().map(|point| {
-            let [normal, _] = point.of(|slid| slid.normal_force);
-            let friction = point.friction();
-            (friction[0] - line.intercept - line.slope * normal).abs() / size(friction)
-        });
-        rows.fold(0.0, f64::max)
-    };
-    let (errors, parts) = (off(|[_, error]| error), off(|[friction, _]| friction));
-    Claim::trend(
-        TEXT.said("load"),
-        format!(
-            "F = {:.2} + ({:.4} ± {:.4}) N; rows are within {errors:.1} standard errors or {:.0} % of it",
-            line.intercept,
-            line.slope,
-            line.error,
-            100.0 * parts
-        ),
-        line.slope > 3.0 * line.error && parts <= RATHER,
-    )
 }
 
 /// An increase with ln v that is larger than three of its errors, or none that shows.
@@ -274,8 +200,10 @@ fn speed_claim(speeds: &[&Point]) -> Claim {
     let all: Vec<(f64, f64)> = speeds
         .iter()
         .flat_map(|point| {
-            let slid = point.ran.iter().filter_map(|ran| ran.outcome.slid);
-            slid.map(|slid| (point.speed.ln(), slid.friction))
+            point
+                .slid
+                .iter()
+                .map(|slid| (point.speed.ln(), slid.friction))
         })
         .collect();
     let line = Line::through(&all);
