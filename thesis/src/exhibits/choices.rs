@@ -115,7 +115,9 @@ pub fn section_4_6_choices(runs: &Runs) -> Result<Exhibit> {
         ],
         rows,
         claims(runs, &kept, &judged)?,
-    ))
+    )
+    .seeded(1..=5)
+    .kept("exhibits/choices/runs.csv and shares.csv"))
 }
 
 fn row(Kept { small: table, .. }: &Kept, choice: &Choice) -> Vec<f64> {

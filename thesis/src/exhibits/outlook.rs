@@ -48,7 +48,8 @@ pub fn section_5_2(runs: &Runs) -> Result<Exhibit> {
         ],
         rows(&map),
         claims,
-    ))
+    )
+    .kept("exhibits/outlook/runs.csv"))
 }
 
 /// "2 to 3 deposits a cell".

@@ -181,6 +181,7 @@ pub fn figure_5_2(runs: &Runs) -> Result<Exhibit> {
     figure = figure.guide(ReferenceLine::vertical(end, "off"));
     Ok(Exhibit {
         film: Some(film(&folder(FILMED.0, FILMED.1, runs))?),
+        seeds: turned.iter().map(|run| run.seed).collect(),
         ..Exhibit::new(
             FIGURE_5_2.prose_of(runs.effort()),
             figure,

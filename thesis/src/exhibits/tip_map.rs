@@ -135,7 +135,8 @@ pub fn section_5_3_map(runs: &Runs) -> Result<Exhibit> {
             .into_iter()
             .map(|claim| claim.uncertain(format!("{SEEDS} seeds a point")))
             .collect(),
-    ))
+    )
+    .seeded(1..=SEEDS))
 }
 
 fn figure(cells: &[Cell], loads: &[f64]) -> Panels {

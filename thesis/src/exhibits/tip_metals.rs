@@ -112,7 +112,8 @@ pub fn section_5_3_metals(runs: &Runs) -> Result<Exhibit> {
             .into_iter()
             .map(|claim| claim.uncertain(format!("{SEEDS} seeds a row")))
             .collect(),
-    ))
+    )
+    .seeded(1..=SEEDS))
 }
 
 fn slid(ran: &[RunResult]) -> Vec<SlidingSummary> {
