@@ -12,7 +12,7 @@ use tribos::run::folder::{Contents, OutputFolder};
 const KILLED: [&str; 4] = ["3.4", "3.9", "4.5", "4.6"];
 
 /// Rows of each kind of verdict in a quick report.
-const COUNTS: [usize; 9] = [46, 131, 164, 39, 34, 9, 23, 24, 0];
+const COUNTS: [usize; 9] = [46, 131, 167, 39, 34, 9, 23, 25, 0];
 
 fn reproduce(folder: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_tribos-thesis"));
