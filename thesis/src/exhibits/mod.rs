@@ -44,6 +44,7 @@ pub(crate) mod sweeps;
 pub(crate) mod three_methods;
 pub(crate) mod tilted;
 pub(crate) mod tip;
+mod tip_choices;
 mod tip_loads;
 pub(crate) mod tip_map;
 pub(crate) mod tip_metals;
