@@ -8,8 +8,16 @@ fn main() {
         let text = String::from_utf8(output.stdout).ok()?;
         output.status.success().then(|| text.trim().to_owned())
     };
-    let commit = git(&["rev-parse", "--short=12", "HEAD"]).unwrap_or_default();
+    let commit = git(&[
+        "describe",
+        "--always",
+        "--dirty",
+        "--abbrev=12",
+        "--exclude=*",
+    ]);
+    let commit = commit.unwrap_or_default();
     println!("cargo::rustc-env=TRIBOS_COMMIT={commit}");
+    println!("cargo::rerun-if-changed=src");
     // Written by every commit and checkout.
     let log = git(&[
         "rev-parse",

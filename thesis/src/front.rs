@@ -10,7 +10,7 @@ use tribos_report::page::{Picture, Section, Table};
 use tribos_report::verdict::{Counts, Verdict};
 
 /// Size of a picture in pixels.
-const PICTURE: (u32, u32) = (370, 260);
+const PICTURE: (u32, u32) = (370, 240);
 /// Smaller relative numbers are drawn here.
 const LEAST: f64 = 1e-17;
 /// Rows of figure 4.7 with what they are called.
@@ -55,7 +55,6 @@ pub fn lead(sections: &[Section], effort: Effort) -> Vec<String> {
     let values: [(&str, &dyn Display); 15] = [
         ("statements", &distinct.total()),
         ("rows", &rows),
-        ("own", &(all - rows)),
         ("reproduced", &reproduced),
         ("exact", &statements.iter().filter(exact).count()),
         ("trend", &trend),
@@ -153,8 +152,8 @@ fn numbers(sections: &[Section]) -> Drawn {
     let axis = |label| Axis::log10(label).range(LEAST / 3.0, 1.0);
     let figure = Figure::new(
         "",
-        axis("tolerance over the printed number"),
-        axis("difference over it"),
+        axis("tolerance / printed number"),
+        axis("difference / printed number"),
     )
     .series(Series::line("", vec![(LEAST, LEAST), (1.0, 1.0)]).color(Color(190, 190, 190)))
     .series(Series::points("reproduced", same).color(Color::palette(0)))

@@ -48,7 +48,9 @@ impl SectionCache {
     /// The section of an exhibit, if it is finished and all its files are there.
     pub fn section(&self, name: &str, effort: Effort) -> Option<Section> {
         let text = std::fs::read_to_string(self.section_file(name, effort)).ok()?;
-        let section: Section = serde_json::from_str(&text).ok()?;
+        // By way of a value, which holds the digits of its numbers: they come back to the bit.
+        let value: serde_json::Value = serde_json::from_str(&text).ok()?;
+        let section: Section = serde_json::from_value(value).ok()?;
         let there = |file: &String| self.lock.folder().join(file).exists();
         let files = section.figure.iter().flat_map(|figure| &figure.files);
         files.clone().all(there).then_some(section)

@@ -6,6 +6,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 use tribos::run::folder::{Lock, LockMode};
+use tribos_report::claim::{Claim, Statement};
 use tribos_report::page::{FigureRef, Section};
 use tribos_thesis::runs::{Case, Runs, System};
 use tribos_thesis::section_cache::{FOLDER, SectionCache};
@@ -20,7 +21,15 @@ fn open(report: &Path) -> anyhow::Result<SectionCache> {
 fn a_section_is_kept_with_its_effort_while_its_files_are_there() -> Outcome {
     let folder = tempfile::tempdir()?;
     let kept = open(folder.path())?;
+    // Numbers of all magnitudes, whose last bits count.
+    let odd = |i: u32| f64::from_bits(0x3F31_9E37_79B9_7F4A_u64.wrapping_mul(2 * u64::from(i) + 1));
+    let claims = (0..1000).map(odd).filter(|number| number.is_finite());
+    let claims = claims.map(|number| {
+        let statement = Statement::parse("a — b");
+        Claim::own(statement, number, 0.0, f64::INFINITY)
+    });
     let section = Section {
+        claims: claims.collect(),
         heading: "Ångström".into(),
         figure: Some(FigureRef {
             files: vec!["a.csv".into()],
