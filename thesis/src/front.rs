@@ -129,10 +129,10 @@ pub fn pictures(sections: &[Section]) -> Result<Vec<Picture>, FigureError> {
 }
 
 /// A figure, and how many points its series have; none without points.
-type Drawn = (Figure, Option<[usize; 2]>);
+type CountedFigure = (Figure, Option<[usize; 2]>);
 
 /// How far our numbers are from the printed ones over how far they may be, both relative.
-fn numbers(sections: &[Section]) -> Drawn {
+fn numbers(sections: &[Section]) -> CountedFigure {
     let claims = || sections.iter().flat_map(|section| &section.claims);
     let points = |is_reproduced: bool| -> Vec<(f64, f64)> {
         let rows = claims()
@@ -161,13 +161,13 @@ fn numbers(sections: &[Section]) -> Drawn {
     (figure, counts)
 }
 
-fn porosities(sections: &[Section]) -> Drawn {
+fn porosities(sections: &[Section]) -> CountedFigure {
     let rows =
         POROSITIES.map(|(id, name)| (name.to_owned(), row(sections, &format!("figure-4.7.{id}"))));
     beside("E, and E₁ above E(0,0) [%]", rows)
 }
 
-fn stresses(sections: &[Section]) -> Drawn {
+fn stresses(sections: &[Section]) -> CountedFigure {
     let lines = sections.iter().flat_map(Section::rows);
     let lines = lines.filter(|(id, _)| id.starts_with("table-4.1.split"));
     beside(
@@ -188,7 +188,10 @@ fn pair(claim: &Claim) -> String {
 }
 
 /// Named rows: the thesis' number and ours.
-fn beside<'a>(label: &str, rows: impl IntoIterator<Item = (String, Option<&'a Claim>)>) -> Drawn {
+fn beside<'a>(
+    label: &str,
+    rows: impl IntoIterator<Item = (String, Option<&'a Claim>)>,
+) -> CountedFigure {
     let rows: Vec<(String, [f64; 4])> = rows
         .into_iter()
         .filter_map(|(name, claim)| {

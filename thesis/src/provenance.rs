@@ -2,8 +2,8 @@
 
 use crate::effort::Effort;
 use crate::plan::cores;
+use std::process::Command;
 use std::time::Duration;
-use tribos::run::folder::now;
 use tribos_report::page::Table;
 
 /// Program and commit, in a few words.
@@ -41,7 +41,7 @@ pub fn table(effort: Effort, wall: Duration) -> Table {
     let rows = [
         ("program", format!("{}, exact tier in f64", program())),
         ("command", format!("`{}`", command(None, effort))),
-        ("made", format!("{}, in {:.0} s", now(), wall.as_secs_f64())),
+        ("made", format!("{}, in {:.0} s", date(), wall.as_secs_f64())),
         ("machine", machine()),
         (
             "seeds",
@@ -59,6 +59,16 @@ pub fn table(effort: Effort, wall: Duration) -> Table {
         rows: rows.map(|(what, which)| vec![what.into(), which]).into(),
         ..Table::default()
     }
+}
+
+/// The day, as the system tells it.
+fn date() -> String {
+    let output = Command::new("date")
+        .args(["-u", "+%Y-%m-%d %H:%M UTC"])
+        .output();
+    let told = output.ok().filter(|output| output.status.success());
+    let told = told.and_then(|output| String::from_utf8(output.stdout).ok());
+    told.map_or("on an unknown day".into(), |text| text.trim().into())
 }
 
 /// Processor and system.

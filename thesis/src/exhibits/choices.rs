@@ -42,13 +42,13 @@ const JUDGED: [Choice; 4] = [
 /// Ranges of cohesion, in R.
 const RANGES: [f64; 3] = [1e-4, 1e-3, 1e-2];
 /// All kept runs.
-struct Kept {
+struct KeptTables {
     small: Table,
     large: Table,
     shares: Shares,
 }
 
-impl Kept {
+impl KeptTables {
     fn read() -> Result<Self> {
         let [small, large] = [System::Small, System::Large].map(|system| system.size()[0]);
         Ok(Self {
@@ -76,7 +76,7 @@ pub(super) fn best_share() -> Result<f64> {
 
 /// The set of choices.
 pub fn section_4_6_choices(runs: &Runs) -> Result<Exhibit> {
-    let kept = Kept::read()?;
+    let kept = KeptTables::read()?;
     let table = &kept.small;
     let mut judged: Vec<(Choice, f64)> = Vec::new();
     for choice in table.choices() {
@@ -120,7 +120,7 @@ pub fn section_4_6_choices(runs: &Runs) -> Result<Exhibit> {
     .kept("exhibits/choices/runs.csv and shares.csv"))
 }
 
-fn row(Kept { small: table, .. }: &Kept, choice: &Choice) -> Vec<f64> {
+fn row(KeptTables { small: table, .. }: &KeptTables, choice: &Choice) -> Vec<f64> {
     let porosity = |(pair, _)| {
         table
             .porosity(choice, pair)

@@ -2,7 +2,7 @@
 
 use super::shares::Shares;
 use super::{
-    CORNERS, Choice, FLUCTUATION, JUDGED, Kept, LIMITS, Line, PRINTED_PRESSURE, TEXT, Table,
+    CORNERS, Choice, FLUCTUATION, JUDGED, KeptTables, LIMITS, Line, PRINTED_PRESSURE, TEXT, Table,
 };
 use crate::runs::{Case, Runs, System};
 use anyhow::Result;
@@ -22,7 +22,11 @@ fn corners(table: &Table, choice: &Choice) -> String {
     )
 }
 
-pub(super) fn claims(runs: &Runs, kept: &Kept, judged: &[(Choice, f64)]) -> Result<Vec<Claim>> {
+pub(super) fn claims(
+    runs: &Runs,
+    kept: &KeptTables,
+    judged: &[(Choice, f64)],
+) -> Result<Vec<Claim>> {
     let table = &kept.small;
     let [four, six, _, eight] = LIMITS;
     let compatible: Vec<&Choice> = judged
@@ -183,7 +187,7 @@ fn held_out(table: &Table) -> Option<Claim> {
 }
 
 /// The large system under the judged choices.
-fn sizes(kept: &Kept) -> Vec<Claim> {
+fn sizes(kept: &KeptTables) -> Vec<Claim> {
     let [limit, ..] = LIMITS;
     let each = JUDGED.iter().filter_map(|choice| {
         let misfit = kept.large.misfit(choice)?;

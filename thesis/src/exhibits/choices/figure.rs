@@ -1,7 +1,7 @@
 //! Misfits over the group, and the judged choices beside the thesis.
 
 use super::super::stress::TABLE;
-use super::{CORNERS, Choice, JUDGED, Kept, LIMITS, RANGES, Table};
+use super::{CORNERS, Choice, JUDGED, KeptTables, LIMITS, RANGES, Table};
 use tribos_report::figure::{Axis, Color, Figure, Legend, Panels, ReferenceLine, Series};
 
 /// Shares of the last forces with a curve.
@@ -9,7 +9,7 @@ const SHOWN: [f64; 5] = [0.0, 0.25, 0.35, 0.5, 1.0];
 
 /// Misfit and E(1,1) over the group; porosities and stresses of the judged choices beside the thesis'; both systems, and
 /// stresses from a share of the last forces.
-pub(super) fn figure(kept: &Kept, judged: &[(Choice, f64)]) -> Panels {
+pub(super) fn figure(kept: &KeptTables, judged: &[(Choice, f64)]) -> Panels {
     let table = &kept.small;
     let over = over_group(
         "Four porosities",
@@ -122,7 +122,7 @@ fn beside(
 }
 
 /// Porosities of the large system, and lines for those of the small one.
-fn sizes(kept: &Kept) -> Figure {
+fn sizes(kept: &KeptTables) -> Figure {
     let mut figure = Figure::new(
         "Small system (lines) and large system",
         names(&CORNERS),
@@ -145,7 +145,7 @@ fn sizes(kept: &Kept) -> Figure {
 }
 
 /// σ_zz⁺ of packings solved anew, a series a share.
-fn shares(kept: &Kept, lines: &[([f64; 2], f64)]) -> Figure {
+fn shares(kept: &KeptTables, lines: &[([f64; 2], f64)]) -> Figure {
     let title = format!("Solved anew, {}", JUDGED[1].words());
     let figure = Figure::new(title, names(lines), Axis::linear("σ_zz⁺/P")).legend(Legend::Below);
     SHOWN

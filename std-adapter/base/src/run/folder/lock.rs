@@ -203,18 +203,13 @@ fn process_description() -> String {
         .map(|word| word.to_string_lossy().into_owned())
         .collect();
     let command: String = words.join(" ").chars().take(MOST_LETTERS).collect();
+    let now = SystemTime::now().duration_since(UNIX_EPOCH);
+    let seconds = now.map_or(0, |now| now.as_secs());
     format!(
         "process {}, `{command}`, since {}\n",
         std::process::id(),
-        now()
+        clock(seconds)
     )
-}
-
-/// Date and time in UTC.
-#[doc(hidden)]
-pub fn now() -> String {
-    let now = SystemTime::now().duration_since(UNIX_EPOCH);
-    clock(now.map_or(0, |now| now.as_secs()))
 }
 
 /// A time since 1970 as date and time, in UTC.

@@ -8,8 +8,6 @@ mod lock;
 mod manifest;
 mod overwrite_guard;
 
-#[doc(hidden)]
-pub use lock::now;
 pub use lock::{Lock, LockMode, LockOutcome};
 pub use manifest::Manifest;
 pub use overwrite_guard::{InterruptedRunPolicy, is_finished};
