@@ -27,7 +27,6 @@ pub fn lead(sections: &[Section], effort: Effort) -> Vec<String> {
     let statements = statements(sections);
     let distinct = Counts::of(statements.iter().copied());
     let rows = sections.iter().flat_map(of_the_thesis).count();
-    let all: usize = sections.iter().map(|section| section.claims.len()).sum();
     let exact = |verdict: &&&Verdict| match verdict {
         Verdict::Reproduced(agreement) => agreement.allowance().is_exact(),
         _ => false,
@@ -52,7 +51,7 @@ pub fn lead(sections: &[Section], effort: Effort) -> Vec<String> {
         Effort::Quick => "Quick",
         Effort::Full => "Full",
     });
-    let values: [(&str, &dyn Display); 15] = [
+    let values: [(&str, &dyn Display); 14] = [
         ("statements", &distinct.total()),
         ("rows", &rows),
         ("reproduced", &reproduced),
@@ -152,8 +151,8 @@ fn numbers(sections: &[Section]) -> CountedFigure {
     let axis = |label| Axis::log10(label).range(LEAST / 3.0, 1.0);
     let figure = Figure::new(
         "",
-        axis("tolerance / printed number"),
-        axis("difference / printed number"),
+        axis("tolerance, relative"),
+        axis("difference, relative"),
     )
     .series(Series::line("", vec![(LEAST, LEAST), (1.0, 1.0)]).color(Color(190, 190, 190)))
     .series(Series::points("reproduced", same).color(Color::palette(0)))
@@ -164,7 +163,7 @@ fn numbers(sections: &[Section]) -> CountedFigure {
 fn porosities(sections: &[Section]) -> CountedFigure {
     let rows =
         POROSITIES.map(|(id, name)| (name.to_owned(), row(sections, &format!("figure-4.7.{id}"))));
-    beside("E, and E₁ above E(0,0) [%]", rows)
+    beside("E, E₁ [%]", rows)
 }
 
 fn stresses(sections: &[Section]) -> CountedFigure {

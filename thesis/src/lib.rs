@@ -147,8 +147,8 @@ pub const EXHIBITS: &[(&str, Maker)] = &[
         Running(outlook::section_5_2, [5.0, 15_000.0]),
     ),
     ("5.1", Alone(tip::figure_5_1)),
-    ("5.2", Running(tip::figure_5_2, [40.0, 2300.0])),
-    ("section-5.3", Running(tip_slid::section_5_3, [15.0, 400.0])),
+    ("5.2", Running(tip::figure_5_2, [44.0, 2300.0])),
+    ("section-5.3", Running(tip_slid::section_5_3, [10.0, 400.0])),
     (
         "section-5.3-map",
         Running(tip_map::section_5_3_map, [15.0, 3600.0]),

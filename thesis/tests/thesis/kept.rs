@@ -26,7 +26,7 @@ fn a_section_is_kept_with_its_effort_while_its_files_are_there() -> Outcome {
     let claims = (0..1000).map(odd).filter(|number| number.is_finite());
     let claims = claims.map(|number| {
         let statement = Statement::parse("a — b");
-        Claim::own(statement, number, 0.0, f64::INFINITY)
+        Claim::own(statement, number, 0.0, f64::MAX)
     });
     let section = Section {
         claims: claims.collect(),
@@ -40,7 +40,7 @@ fn a_section_is_kept_with_its_effort_while_its_files_are_there() -> Outcome {
     kept.keep("3.4", Effort::Quick, &section)?;
     assert_eq!(kept.section("3.4", Effort::Quick), None);
     std::fs::write(folder.path().join("a.csv"), "x\n")?;
-    assert_eq!(kept.section("3.4", Effort::Quick), Some(section));
+    assert!(kept.section("3.4", Effort::Quick) == Some(section));
     assert_eq!(kept.section("3.4", Effort::Full), None);
     Ok(())
 }

@@ -259,8 +259,9 @@ fn the_pages_are_shown(folder: &Path) -> Outcome {
     };
     let shown = "[...document.querySelectorAll('figure > .card > svg')] \
         .filter(svg => svg.getBoundingClientRect().height > 100).length";
-    let smallest = "Math.min(...[...document.querySelectorAll('figure > .card > svg text')] \
-        .map(text => parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a))";
+    let smallest = "Math.min(...[...document.querySelectorAll('figure > .card > svg text')].map(text => { \
+        const { a, b } = text.getScreenCTM(); \
+        return parseFloat(getComputedStyle(text).fontSize) * Math.hypot(a, b); }))";
     let wide = "document.documentElement.scrollWidth - document.documentElement.clientWidth";
     let mut figures = 0;
     for page in PAGES {

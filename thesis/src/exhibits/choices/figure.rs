@@ -51,7 +51,7 @@ pub(super) fn figure(kept: &KeptTables, judged: &[(Choice, f64)]) -> Panels {
     ];
     panels
         .into_iter()
-        .fold(Panels::new("", 2).cell(660, 420), Panels::figure)
+        .fold(Panels::new("", 2).cell(540, 420), Panels::figure)
 }
 
 /// Points over the group, a series for each range and kind of wall.
