@@ -5,6 +5,9 @@ use crate::figure::{Axis, Figure, Series};
 use crate::packing::{Contact, Packing, PackingError, PackingPicture};
 use tribos::record::{ContactRow, Snapshot};
 
+/// Size of a picture in pixels: letters of three beside each other can be read on a page of the report.
+const SIZE: (u32, u32) = (370, 620);
+
 /// A snapshot for pictures.
 #[derive(Debug)]
 pub struct State {
@@ -58,6 +61,7 @@ pub(super) fn both(
         let picture = PackingPicture::spheres(title, &state.packing(sides, *piston)?);
         grid = grid.drawing(
             picture
+                .size(SIZE.0, SIZE.1)
                 .headroom(top)
                 .color_by(Axis::linear(axis), &layers)?,
         );
@@ -65,6 +69,7 @@ pub(super) fn both(
     let end = after.packing(sides, *piston)?;
     let forces = PackingPicture::forces("Final forces", &end, &after.contacts)?
         .full_force(after.largest_force(), unit)
+        .size(SIZE.0, SIZE.1)
         .headroom(top);
     Ok(grid.drawing(forces))
 }

@@ -155,8 +155,8 @@ fn figure(speeds: &[f64], needed: &[(f64, f64)], ended: &[Ended]) -> Panels {
     .series(Series::line_points("global", of(SweepStop::Global)))
     .series(Series::line_points("local", of(SweepStop::Local)))
     .series(Series::points("fixed", of(SweepStop::Fixed)));
-    Panels::new("", 3)
-        .cell(366, 340)
+    Panels::new("", 2)
+        .cell(540, 340)
         .figure(wave)
         .figure(sweeps)
         .figure(rules)

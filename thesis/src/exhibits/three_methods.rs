@@ -187,7 +187,7 @@ fn measured(extent: &Extent) -> Result<Vec<Point>> {
 }
 
 fn figure(points: &[Point]) -> Panels {
-    let mut panels = Panels::new("", 3).cell(366, 340);
+    let mut panels = Panels::new("", 2).cell(540, 360);
     for (panel, (title, (judged, quantity))) in TITLES.into_iter().zip(JUDGED).enumerate() {
         let here = || points.iter().filter(move |point| point.panel == panel);
         let mut figure = Figure::new(title, Axis::log10("updates"), Axis::log10(quantity));
