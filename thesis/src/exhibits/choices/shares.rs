@@ -109,7 +109,7 @@ impl Shares {
             let part = (thesis - a) / (b - a);
             (0.0..=1.0)
                 .contains(&part)
-                .then(|| low + part * (high - low))
+                .then_some(low + part * (high - low))
         })
     }
 
