@@ -14,7 +14,7 @@ use tribos_thesis::EXHIBITS;
 const KILLED: [&str; 4] = ["3.4", "3.9", "4.5", "4.6"];
 
 /// Rows of each kind of verdict in a quick report.
-const COUNTS: [usize; 10] = [46, 133, 172, 39, 37, 1, 5, 23, 24, 0];
+const COUNTS: [usize; 10] = [45, 133, 172, 39, 37, 2, 5, 23, 24, 0];
 
 /// Pages beside the front page.
 const PAGES: [&str; 5] = [
