@@ -24,9 +24,10 @@ const INTERRUPTED: u8 = 130;
 
 /// Reproduce the results of the thesis on friction laws and coupled friction (chapters 2 and 3,
 /// section 5.1 and appendix A), on the compaction of cohesive powders (chapter 4 and section 5.2) and
-/// on torsion friction of atoms (section 5.3): every figure and table as CSV, SVG and PNG, and
-/// index.html with the thesis' claims, our numbers, their uncertainty, a verdict and its grounds, and
-/// with films; those of appendix B are pages of their own.
+/// on torsion friction of atoms (section 5.3): every figure and table as CSV (whose first line, with a #, says
+/// how it was made), SVG and PNG; index.html, whose first screen says what holds; a page for each chapter with the
+/// thesis' claims, our numbers, their uncertainty, a verdict and its grounds, and with films, those of
+/// appendix B on pages of their own; and claims.csv, all rows with their numbers.
 ///
 /// The expected cost is printed first. The program may be interrupted at any time; the same command
 /// continues from DIR/kept and ends with the same files. Runs use all cores.
