@@ -59,7 +59,7 @@ impl Exhibit {
 
     /// From runs that are kept in a file beside it, which names their commands.
     pub fn kept(self, file: &str) -> Self {
-        let source = format!("{}, from runs kept in {}", self.source, source(file));
+        let source = format!("{}, and runs kept in {}", self.source, source(file));
         Self { source, ..self }
     }
 

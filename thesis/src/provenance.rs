@@ -24,10 +24,10 @@ pub fn command(name: Option<&str>, effort: Effort) -> String {
 
 /// What an exhibit's page and files say of how they were made. The seeds are those of its random runs.
 pub fn line(name: &str, effort: Effort, seeds: &[u64], source: &str) -> String {
-    let seeds = match seeds {
-        [] => String::new(),
-        [seed] => format!("; seed {seed}"),
-        [first, .., last] => format!("; seeds {first} to {last}"),
+    let seeds = match (seeds.iter().min(), seeds.iter().max()) {
+        (Some(first), Some(last)) if first < last => format!("; seeds {first} to {last}"),
+        (Some(seed), _) => format!("; seed {seed}"),
+        _ => String::new(),
     };
     format!(
         "`{}`{seeds}; {source}; {}",

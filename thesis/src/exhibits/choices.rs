@@ -41,6 +41,7 @@ const JUDGED: [Choice; 4] = [
 ];
 /// Ranges of cohesion, in R.
 const RANGES: [f64; 3] = [1e-4, 1e-3, 1e-2];
+
 /// All kept runs.
 struct KeptTables {
     small: Table,

@@ -196,7 +196,8 @@ pub fn figure_5_2(runs: &Runs) -> Result<Exhibit> {
                 .chain(tip_choices::claims(runs)?)
                 .collect(),
         )
-    })
+    }
+    .kept("exhibits/tip_choices/runs.csv (choices of height, outline and reading)"))
 }
 
 fn all(runs: &Runs) -> Result<Vec<TorqueRun>> {

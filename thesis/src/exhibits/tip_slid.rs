@@ -93,7 +93,8 @@ pub fn section_5_3(runs: &Runs) -> Result<Exhibit> {
         every.into_iter().map(numbers).collect(),
         claims,
     )
-    .seeded(1..=SEEDS))
+    .seeded(1..=SEEDS)
+    .kept("exhibits/tip_loads/runs.csv (loads of a quick report)"))
 }
 
 /// The first run of the slowest row.
