@@ -25,6 +25,8 @@ pub mod meshes;
 pub mod outlines;
 #[cfg(feature = "library")]
 pub mod packings;
+#[cfg(feature = "library")]
+pub mod pages;
 pub mod patches;
 #[cfg(feature = "library")]
 pub mod problems;

@@ -178,7 +178,7 @@ units of the disk's Coulomb form over the same twists, the median of the rounds'
 other methods by the closed form. Linear pressure is judged under the slopes of the table, which go up to 0.99 of the \
 steepest one, and timed under two thirds of the mean pressure a radius; all else is under uniform pressure. `points` \
 are edges, nodes, or sampled wrenches. The ellipsoid has the exact largest force and torque; the hull answers with the sampled wrench that dissipates most, as planners do; the convex quartic is fitted to 400 \
-wrenches, as `tribos fit --support` does. It gives the motion under a push at once; the push for a motion, which \
+wrenches, as `tribos fit` does with `--support`. It gives the motion under a push at once; the push for a motion, which \
 stands here, takes Newton's method.
 ";
 

@@ -1,0 +1,54 @@
+"""The site: pages of this folder as HTML that needs no server, no script for formulas and nothing of another host."""
+
+import tomllib
+from pathlib import Path
+
+import latex2mathml.converter
+from docutils import nodes
+
+ROOT = Path(__file__).parent.parent
+
+project = "Tribos"
+author = "The Tribos developers"
+copyright = author
+release = version = tomllib.loads((ROOT / "Cargo.toml").read_text(encoding="utf-8"))["workspace"]["package"]["version"]
+
+extensions = ["myst_parser", "sphinx_copybutton", "sphinx_design"]
+myst_enable_extensions = ["amsmath", "attrs_inline", "colon_fence", "deflist", "dollarmath"]
+myst_heading_anchors = 4
+exclude_patterns = ["site"]
+# Commands without their prompts, and without what they print.
+copybutton_prompt_text = "$ "
+
+html_theme = "pydata_sphinx_theme"
+html_title = "Tribos"
+html_static_path = ["site"]
+html_css_files = ["tribos.css"]
+html_extra_path = ["playground.html"]
+html_show_sourcelink = False
+html_copy_source = False
+html_math_renderer = "mathml"
+html_theme_options = {
+    "header_links_before_dropdown": 7,
+    "navbar_align": "left",
+    "secondary_sidebar_items": ["page-toc"],
+    "show_nav_level": 2,
+    "use_edit_page_button": False,
+}
+
+
+def inline(translator, node: nodes.math) -> None:
+    translator.body.append(latex2mathml.converter.convert(node.astext()))
+    raise nodes.SkipNode
+
+
+def block(translator, node: nodes.math_block) -> None:
+    anchor = "".join(f'<span id="{name}"></span>' for name in node["ids"])
+    number = f'<span class="eqno">({node["number"]})</span>' if node.get("number") else ""
+    formula = latex2mathml.converter.convert(node.astext(), display="block")
+    translator.body.append(f'<div class="math">{anchor}{number}{formula}</div>')
+    raise nodes.SkipNode
+
+
+def setup(app) -> None:
+    app.add_html_math_renderer("mathml", inline_renderers=(inline, None), block_renderers=(block, None))
