@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release -p tribos-tests --example hold [STEPS]`
 //!
-//! The table of docs/presliding.md. The same bodies in engines: `bindings/python/benches/hold.py`,
+//! The table docs/tables/creep.csv. The same bodies in engines: `bindings/python/benches/hold.py`,
 //! `engines/rapier/examples/grip.rs`.
 
 use rayon::prelude::*;

@@ -25,7 +25,7 @@
 //! distance more turns need more spin and less speed; the reach of launch limits is the image of
 //! their corners and edges.
 //!
-//! `docs/inverse.md` has the proofs. *Source*: the problem was posed by Partridge and Spong and by
+//! `docs/theory.md` has the proofs. *Source*: the problem was posed by Partridge and Spong and by
 //! Han and Park; the reduction to one monotone function is this project's own.
 //!
 //! ```
