@@ -37,7 +37,7 @@ More:
   tribos COMMAND --help    what a command does, its options, examples
   tribos man --out DIR     the same as manual pages
   tribos scene list        scenes that run as they are
-  docs/index.md            the book: first steps, tasks, theory, laws, accuracy
+  docs/index.md            the book: first steps, tasks one by one, theory, laws, accuracy
 
 Exit codes: 0 done, 1 the run failed, 2 bad usage or bad input, 3 results differ from those pinned,
 4 a contact problem is not solved, 130 interrupted.";
