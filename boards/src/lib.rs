@@ -87,5 +87,5 @@ pub fn explain() {
 
 /// Keeps the code of the guide compiling.
 #[cfg(doctest)]
-#[doc = include_str!("../../docs/firmware.md")]
+#[doc = include_str!("../../docs/c.md")]
 struct Guide;

@@ -1,4 +1,4 @@
-"""The tables of the README, from Python."""
+"""The tables of the README and of docs/promises.md, from Python."""
 
 import re
 from pathlib import Path
@@ -21,8 +21,8 @@ def by_exact_law(spin: float) -> float:
     return float(tribos.slide_path(PUCK, SPEED, spin, times).distance[-1])
 
 
-def by_independent_budgets(spin: float) -> float:
-    """Sliding and spinning with a full budget each, as engines have it."""
+def by_separate_limits(spin: float) -> float:
+    """Sliding and spinning with a limit each, as engines have it."""
     deceleration = MU * GRAVITY
     speed, rim, distance = SPEED, spin * RADIUS, 0.0
     while speed > 0.0 or rim > 0.0:
@@ -47,7 +47,7 @@ def by_ellipsoid(spin: float) -> float:
 
 METHODS = {
     "Tribos": by_exact_law,
-    "independent budgets": by_independent_budgets,
+    "separate limits": by_separate_limits,
     "ellipsoid": by_ellipsoid,
 }
 
@@ -71,7 +71,8 @@ def test_errors_of_a_travel_are_those_of_the_readme(readme: str) -> None:
     assert [row[0] for row in rows] == [f"{spin:g} rad/s" for spin in SPINS]
     for row, spin in zip(rows, SPINS, strict=True):
         exact = tribos.slide(PUCK, SPEED, spin).distance
-        for name, cell in zip(head[1:], row[1:], strict=True):
+        assert row[1] == f"{exact:.3f} m"
+        for name, cell in zip(head[2:], row[2:], strict=True):
             error = METHODS[name](spin) / exact - 1.0
             if cell.startswith("below"):
                 assert abs(error) < float(cell.removeprefix("below "))
@@ -81,8 +82,8 @@ def test_errors_of_a_travel_are_those_of_the_readme(readme: str) -> None:
                 assert f"{100.0 * error:.{digits}f}" == told, (name, spin)
 
 
-def test_errors_of_tiers_are_those_of_the_readme(readme: str, table_of_the_disk) -> None:
-    _, rows = table(readme, "method")
+def test_errors_of_tiers_are_those_of_the_promises(repository: Path, table_of_the_disk) -> None:
+    _, rows = table((repository / "docs/promises.md").read_text(encoding="utf-8"), "method")
     told = {row[0]: row[1] for row in rows}
     slide, force, torque = table_of_the_disk
     twists = np.stack((slide, 0.0 * slide, np.ones_like(slide)), axis=-1)
