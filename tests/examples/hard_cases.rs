@@ -1,33 +1,60 @@
-//! Prints the tables of docs/contact-dynamics.md, section "Hard cases".
+//! Prints the hard cases of contact dynamics as docs/tables/hard-cases.csv has them; with the argument `refusals`
+//! the inputs that are refused and the messages, with `waves` the waves of relaxation in a row of bodies.
 
 use tribos::cd::IterationOrder;
 use tribos_tests::{hard, sound};
 
 fn main() {
+    match std::env::args().nth(1).as_deref() {
+        Some("refusals") => refusals(),
+        Some("waves") => waves(),
+        _ => cases(),
+    }
+}
+
+fn cases() {
     println!(
-        "| case | contacts | tolerance | sweeps: first, then | residual | overlap, R | what | error |"
+        "case,contacts,tolerance,sweeps_first,sweeps_then,ended_by,residual,overlap_R,quantity,error"
     );
-    println!("|---|---|---|---|---|---|---|---|");
     for case in hard::cases() {
-        let missed = if case.met { "" } else { ", tolerance missed" };
+        let ended = match (case.met, case.handed_over) {
+            (false, _) => "tolerance missed",
+            (true, true) => "handed over",
+            (true, false) => "sweeps",
+        };
         let [first, then] = case.sweeps;
         println!(
-            "| {} | {} | {:.0e} | {first:.0}, {then:.1}{missed} | {:.1e} | {:.1e} | {} | {:.1e} |",
-            case.name,
+            "{},{},{:.0e},{first:.0},{then:.1},{ended},{:.1e},{:.1e},{},{:.1e}",
+            quoted(&case.name),
             case.contacts,
             case.tolerance,
             case.residual,
             case.overlap,
-            case.what,
+            quoted(case.what),
             case.error
         );
     }
-    println!("\n| input | answer |\n|---|---|");
+}
+
+/// A field of a CSV file.
+fn quoted(field: &str) -> String {
+    if field.contains(',') {
+        format!("\"{field}\"")
+    } else {
+        field.to_owned()
+    }
+}
+
+fn refusals() {
+    println!("| input | answer |\n|---|---|");
     for (input, answer) in hard::refusals() {
         let answer = answer.map_or(String::from("none"), |error| error.to_string());
         println!("| {input} | {answer} |");
     }
-    println!("\n| order | period, steps | damping, 1/step |\n|---|---|---|");
+}
+
+fn waves() {
+    println!("| order | period, steps | damping, 1/step |\n|---|---|---|");
     let (period, damping) = sound::expected(sound::random_q());
     println!(
         "| theory, random, q = {:.4} | {period:.2} | {damping:.5} |",

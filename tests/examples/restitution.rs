@@ -1,4 +1,4 @@
-//! Prints the table of docs/contact-dynamics.md, section "Restitution".
+//! Prints docs/tables/restitution.csv: the energy balance of a box of rough spheres for each restitution and friction.
 
 use tribos_tests::rebounds::{Cell, run};
 
@@ -9,10 +9,10 @@ const TIME: f64 = 5.0;
 
 fn main() {
     println!(
-        "| e | μ | μ_t, μ_n | collisions | sliding | rolling | torsion | kept | least in a step | \
-         largest impulse |"
+        "e,mu,mu_rolling_and_torsion,collisions_percent,sliding_percent,rolling_percent,\
+         torsion_percent,kept_percent,least_in_a_step,largest_impulse_0.02,largest_impulse_0.01,\
+         largest_impulse_0.005"
     );
-    println!("|---|---|---|---|---|---|---|---|---|---|");
     for restitution in [0.0, 0.5, 0.9, 1.0] {
         for mu in [0.0, 0.3, 1.0, 10.0] {
             for rolling in [0.0, 0.3] {
@@ -31,9 +31,8 @@ fn main() {
                 let least = least.into_iter().fold(0.0, f64::min);
                 let [first, second, third] = answers.map(|answer| answer.largest);
                 println!(
-                    "| {restitution} | {mu} | {rolling} | {normal:.1} % | {sliding:.1} % | \
-                     {turning:.1} % | {torsion:.1} % | {:.1} % | {least:.0e} | \
-                     {first:.1}, {second:.1}, {third:.1} |",
+                    "{restitution},{mu},{rolling},{normal:.1},{sliding:.1},{turning:.1},{torsion:.1},\
+                     {:.1},{least:.0e},{first:.1},{second:.1},{third:.1}",
                     100.0 * answers[2].kept,
                 );
             }

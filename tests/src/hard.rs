@@ -21,6 +21,8 @@ pub struct Case {
     pub sweeps: [f64; 2],
     /// Whether every step met the tolerance.
     pub met: bool,
+    /// Whether a step was handed over to the solver for general contact problems.
+    pub handed_over: bool,
     /// Largest relative residual of any step.
     pub residual: f64,
     /// Sum of the overlaps that the steps may have allowed, in R.
@@ -64,6 +66,7 @@ fn run((name, setup, steps, what, error): &Plan, tolerance: f64) -> Case {
         contacts: 0,
         sweeps: [0.0; 2],
         met: true,
+        handed_over: false,
         residual: 0.0,
         overlap: 0.0,
         what,
@@ -83,6 +86,7 @@ fn run((name, setup, steps, what, error): &Plan, tolerance: f64) -> Case {
             case.sweeps[1] += sweeps / (*steps - 1) as f64;
         }
         case.met &= report.is_met();
+        case.handed_over |= report.handed_over;
         case.contacts = report.contacts;
         // A NaN must not hide behind the largest number.
         assert!(report.residual.relative.is_finite(), "{name}");
