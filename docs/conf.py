@@ -1,5 +1,6 @@
 """The site: pages of this folder as HTML that needs no server, no script for formulas and nothing of another host."""
 
+import re
 import tomllib
 from pathlib import Path
 
@@ -7,6 +8,7 @@ import latex2mathml.converter
 from docutils import nodes
 
 ROOT = Path(__file__).parent.parent
+OUTSIDE = re.compile(r"\[([^]]+)\]\((\.\./[^)#\s]+)(#[^)]*)?\)")
 
 project = "Tribos"
 author = "The Tribos developers"
@@ -50,5 +52,25 @@ def block(translator, node: nodes.math_block) -> None:
     raise nodes.SkipNode
 
 
+def outside(app, name: str, text: list[str]) -> None:
+    """A link out of this folder leads to the repository or, as long as that has no address, is a path in a clone."""
+    repository = tomllib.loads((ROOT / "docs/install.toml").read_text(encoding="utf-8"))["repository"]
+    folder = (ROOT / "docs" / name).parent
+
+    def link(found: re.Match[str]) -> str:
+        path = (folder / found[2]).resolve()
+        if path.is_relative_to(ROOT / "docs"):
+            return found[0]
+        if not path.exists():
+            raise FileNotFoundError(f"{name}: {found[0]}")
+        place = path.relative_to(ROOT).as_posix()
+        return f"[{found[1]}]({repository}/blob/main/{place})" if repository else f"{found[1]} (`{place}`)"
+
+    text[0] = OUTSIDE.sub(link, text[0])
+    if name == "fronts/index":
+        text[0] += "\n```{toctree}\n:hidden:\n:glob:\n\n*\n```\n"
+
+
 def setup(app) -> None:
+    app.connect("source-read", outside)
     app.add_html_math_renderer("mathml", inline_renderers=(inline, None), block_renderers=(block, None))

@@ -7,6 +7,7 @@ mod found;
 mod fuzz;
 mod golden;
 mod names;
+mod pages;
 mod scene_bits;
 mod surface;
 mod tip_bits;

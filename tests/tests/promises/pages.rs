@@ -1,0 +1,71 @@
+//! The book keeps its form: one title a page, tables that fit a screen, one dialect of the command, no program that is not run.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use tribos_tests::pages::PAGES;
+
+/// Rows of a table that a reader takes in; longer ones are files beside the page.
+const ROWS: usize = 12;
+/// Their tables are made by programs, or are what the page is for.
+const LISTS: [&str; 9] = [
+    "accuracy.md",
+    "decisions.md",
+    "engines.md",
+    "errata.md",
+    "exhibits.md",
+    "keys.md",
+    "laws.md",
+    "results.md",
+    "searches.md",
+];
+/// Their programs in Rust need crates of the engines' workspace, which compiles them.
+const ENGINES: [&str; 1] = ["games.md"];
+
+fn pages() -> Vec<(String, String)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs");
+    let paths = fs::read_dir(folder).expect("the book");
+    let mut paths: Vec<PathBuf> = paths.map(|entry| entry.expect("an entry").path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|extension| extension == "md"));
+    assert!(paths.len() > 40, "{} pages", paths.len());
+    let read = |path: PathBuf| {
+        let name = path.file_name().expect("a name").to_string_lossy();
+        (name.into_owned(), fs::read_to_string(&path).expect("a page"))
+    };
+    paths.into_iter().map(read).collect()
+}
+
+#[test]
+fn a_page_has_one_title_and_tables_that_fit_a_screen() {
+    for (name, text) in pages() {
+        assert!(text.starts_with("# "), "{name}");
+        let mut code = false;
+        let (mut titles, mut rows) = (0, 0);
+        for line in text.lines() {
+            code ^= line.trim_start().starts_with("```");
+            titles += usize::from(!code && line.starts_with("# "));
+            rows = if line.starts_with('|') { rows + 1 } else { 0 };
+            let fits = rows <= ROWS + 2 || LISTS.contains(&&*name);
+            assert!(fits, "{name}: a table of more than {ROWS} rows: {line}");
+        }
+        assert!(titles == 1 && !code, "{name}: {titles} titles");
+    }
+}
+
+#[test]
+fn commands_have_one_dialect() {
+    for (name, text) in pages() {
+        assert!(!text.contains("cargo run --release -- "), "{name}");
+        let indented = text.lines().find(|line| line.starts_with("    tribos "));
+        assert_eq!(indented, None, "{name}");
+    }
+}
+
+#[test]
+fn every_program_in_rust_is_compiled() {
+    for (name, text) in pages() {
+        let has_rust = text.contains("```rust");
+        let listed = PAGES.contains(&&*format!("docs/{name}"));
+        assert_eq!(has_rust && !ENGINES.contains(&&*name), listed, "{name}");
+        assert!(!text.contains("```rust,ignore"), "{name}");
+    }
+}
