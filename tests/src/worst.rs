@@ -37,7 +37,7 @@ impl Worst {
         self.error
     }
 
-    /// Fails if the largest error exceeds `bound`; prints it as a row of docs/accuracy.md.
+    /// Fails if the largest error exceeds `bound`; prints it as a row, which docs/tables/accuracy.csv keeps.
     ///
     /// # Panics
     /// If it does, or if nothing was seen.

@@ -23,7 +23,7 @@
 //! lateral ([`LateralFriction`]); [`load_transfer::LoadTransferFriction`] finds the lean of a tall body. A tier that a program
 //! does not name costs nothing.
 //!
-//! `docs/accuracy.md` gives the measured bound of each with the argument where it is attained.
+//! `docs/tables/accuracy.csv` gives the measured bound of each with the argument where it is attained.
 
 mod annulus;
 mod batch;

@@ -91,47 +91,91 @@ pub fn toml_value(key: &Key, value: &Value) -> Option<String> {
 /// assert!(page.contains("## body = \"powder\"") && page.contains("| `pressure` | F_coh/R^2 |"));
 /// ```
 pub fn keys_page() -> String {
-    let mut page = String::from(
-        "# Keys of scene files\n\nMade from the tables that the reader uses. A key without a default that is not \
-         required is off, or chosen, where it is left out.\n",
-    );
-    for known in bodies().filter_map(vocabulary) {
-        page += &format!("\n## body = \"{}\"\n\n", known.body);
-        page += "| key | unit | meaning | value | default |\n|---|---|---|---|---|\n";
-        let defaults = known.defaults();
-        for key in known.keys.iter().filter(|key| key.name != "body") {
-            let default = defaults.get(key.name);
-            let default = default.and_then(|value| toml_value(key, value));
-            let last = match (key.need, default) {
-                (_, Some(default)) => format!("`{default}`"),
-                (Need::Required, None) => "required".into(),
-                (Need::UnlessGiven(other), None) => format!("required unless `{other}` is given"),
-                (Need::UnlessEither(one, two), None) => {
-                    format!("required unless `{one}` or `{two}` is given")
-                }
-                (Need::UnitWith(other, word), None) => {
-                    format!("required; 1 with {other} = \"{word}\"")
-                }
-                _ => String::new(),
-            };
-            let was = key
-                .was
-                .map_or(String::new(), |was| format!(" Earlier name: `{was}`."));
-            let (meaning, domain) = (&format!("{}{was}", key.meaning), key.domain.describe());
-            let row = [
-                &format!("`{}`", key.name),
-                key.unit,
-                meaning,
-                &domain,
-                &last,
-            ];
-            page += &format!(
-                "| {} |\n",
-                row.map(|cell| cell.replace('|', "\\|")).join(" | ")
-            );
+    let all: Vec<(&'static str, Vec<String>)> = bodies()
+        .filter_map(vocabulary)
+        .map(|known| (known.body, key_rows(&known)))
+        .collect();
+    let bodies_with = |row: &String| -> Vec<&'static str> {
+        let have_it = all.iter().filter(|(_, rows)| rows.contains(row));
+        have_it.map(|(body, _)| *body).collect()
+    };
+    let (mut shared, mut parts) = (String::new(), String::new());
+    for (body, rows) in &all {
+        let (own, common): (Vec<&String>, Vec<&String>) =
+            rows.iter().partition(|row| bodies_with(row).len() == 1);
+        parts += &format!("\n## body = \"{body}\"\n\n");
+        let name = |row: &&String| row.split(' ').nth(1).unwrap_or_default().to_owned();
+        let names: Vec<String> = common.iter().map(name).collect();
+        if !names.is_empty() {
+            let names = names.join(", ");
+            parts += &format!("From [several bodies](#keys-of-several-bodies): {names}.\n\n");
+        }
+        parts += "| key | unit | meaning | value | default |\n|---|---|---|---|---|\n";
+        own.iter().for_each(|row| parts += &format!("{row}\n"));
+        for row in common {
+            let bodies = bodies_with(row);
+            if bodies.first() == Some(body) {
+                shared += &format!("{row} {} |\n", bodies.join(", "));
+            }
         }
     }
-    page
+    format!(
+        "# Scenes and keys\n\nWhat a scene of each body may say; [Runs](runs.md) has how to write, check and vary one.\n\n\
+         ```console\n$ tribos scene new disk --out my-disk.toml\n$ tribos scene check my-disk.toml --set spin=50\n…\n```\n\n\
+         Made from the tables that the reader uses; `tribos scene keys BODY` prints them. All numbers are finite. Keys that a file must \
+         give come first; another one without a default is off, or chosen, where it is left out. *Was* names a key of earlier versions, \
+         which is still read.\n\n## Keys of several bodies\n\n| key | unit | meaning | value | default | bodies |\n\
+         |---|---|---|---|---|---|\n{shared}{parts}"
+    )
+}
+
+/// Rows of the keys of a body, those that a file must give first.
+fn key_rows(known: &Vocabulary) -> Vec<String> {
+    let defaults = known.defaults();
+    let keys = known.keys.iter().filter(|key| key.name != "body");
+    let row = |key: &Key| key_row(key, defaults.get(key.name));
+    let mut rows: Vec<String> = keys.map(row).collect();
+    rows.sort_by_key(|row| !row.contains(" | required"));
+    rows
+}
+
+fn key_row(key: &Key, default: Option<&Value>) -> String {
+    let default = default.and_then(|value| toml_value(key, value));
+    let last = match (key.need, default) {
+        (_, Some(default)) => format!("`{default}`"),
+        (Need::Required, None) => "required".into(),
+        (Need::UnlessGiven(other), None) => format!("required, or `{other}`"),
+        (Need::UnlessEither(one, two), None) => format!("required, or `{one}`, or `{two}`"),
+        (Need::UnitWith(other, word), None) => format!("required; 1 with {other} = \"{word}\""),
+        _ => String::new(),
+    };
+    let was = key
+        .was
+        .map_or(String::new(), |was| format!(" *Was* `{was}`."));
+    let cells = [
+        format!("`{}`", key.name),
+        key.unit.into(),
+        format!("{}{was}", key.meaning),
+        in_symbols(key.domain),
+        last,
+    ];
+    let cells = cells.map(|cell| cell.replace('|', "\\|"));
+    format!("| {} |", cells.join(" | "))
+}
+
+/// What a value may be, shorter than in messages.
+fn in_symbols(domain: Domain) -> String {
+    const SHORTER: [(&str, &str); 7] = [
+        ("a finite number >", ">"),
+        ("a number >", ">"),
+        (" and <", ", <"),
+        ("a finite number", "a number"),
+        ("a number from 0 to 1", "0 to 1"),
+        ("a whole number from", "whole,"),
+        ("one of \"", "\""),
+    ];
+    let shorter = |text: String, (long, short): &(&str, &str)| text.replace(long, short);
+    SHORTER.iter().fold(domain.describe(), shorter)
 }
 
 /// The entries of the summaries of all bodies as a page of tables in Markdown: `docs/results.md`.
@@ -142,8 +186,8 @@ pub fn keys_page() -> String {
 /// ```
 pub fn results_page() -> String {
     let mut page = String::from(
-        "# Entries of summaries\n\nEvery run leaves `summary.json`; these tables, which it is made from, say what its \
-         entries are. Units are those of the scene where it has units of its own. A sweep averages what has a column. What \
+        "# Results\n\nWhat the `summary.json` of every run has, made from the tables that it is written by; `tribos scene results BODY` \
+         prints them.\n\n```console\n$ tribos scene results disk\n…\n```\n\nUnits are those of the scene where it has units of its own. A sweep averages what has a column. What \
          a run does not have is null or \"nan\", or left out where its meaning says so. Every summary ends \
          with `scene`, the keys in force, and `version`.\n",
     );

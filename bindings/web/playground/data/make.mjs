@@ -68,7 +68,7 @@ function powder() {
   return { fine: FINE, corners };
 }
 
-/** A frame file, as docs/view.md describes it. */
+/** A frame file, as docs/formats.md describes it. */
 function frameOf(path) {
   const bytes = readFileSync(path);
   const version = bytes.readUInt32LE(4);

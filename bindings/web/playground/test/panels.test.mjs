@@ -249,7 +249,7 @@ inBrowser("paper has dark letters, also where the screen has light ones", async 
 inBrowser("every command of the page is printed in the book, where a test runs it", async (browser) => {
   const { page } = await open(browser);
   const commands = await page.$$eval("pre code", (codes) => codes.map((code) => code.textContent));
-  const book = ["teaching", "pushing", "view"].map((name) =>
+  const book = ["teaching", "pushing", "runs"].map((name) =>
     readFileSync(new URL(`../../../../docs/${name}.md`, import.meta.url), "utf8"),
   );
   const words = book.join("\n").replace(/\\\n\s*/g, "");

@@ -45,7 +45,7 @@ use tribos::run::folder::{Contents, Lock, LockMode, LockOutcome, Manifest, Outpu
 /// is 2.
 ///
 /// DIR/sweep.json is the plan: the scene's text and the keys. Other machines can each run a
-/// part of it, or a cluster a job array; then one command merges the tables. See docs/sweeps.md.
+/// part of it, or a cluster a job array; then one command merges the tables. See docs/runs.md.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
