@@ -56,3 +56,41 @@ def drawn(rows, bad):
         out += [triangle(x_of(error), y, colour) for error in feet]
     out.append(f'<path d="M{LEFT} {TOP}V{bottom}H{WIDTH - RIGHT}" fill="none" stroke="#888"/>')
     return "\n".join([*out, "</svg>", ""])
+
+
+def stops(lanes, alone, ours):
+    """Where a thrown body stops: lanes of spin, exact travel, that of both set-ups, in m."""
+    row, left, right, top = 34, 96, 30, 58
+    bottom, most = top + row * len(lanes), 0.65  # m
+    height = bottom + 50
+
+    def x(travel):
+        return left + travel / most * (WIDTH - left - right)
+
+    def ring(at, y):
+        return (
+            f'<circle cx="{at:.1f}" cy="{y:.1f}" r="9" fill="none" stroke="#222" stroke-width="2"/>'
+        )
+
+    def full(at, y, colour):
+        return f'<circle cx="{at:.1f}" cy="{y:.1f}" r="5.5" fill="{colour}"/>'
+
+    out = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" width="{WIDTH}" '
+        f'height="{height}" font-family="sans-serif" font-size="12.5" fill="#222">',
+        f'<rect width="{WIDTH}" height="{height}" fill="#fff"/>',
+        *[ring(24, 20), text(40, 24, "exact place of rest")],
+        *[full(198, 20, THEIRS), text(210, 24, alone), full(378, 20, OURS), text(390, 24, ours)],
+    ]
+    for tenths in range(7):
+        at = x(0.1 * tenths)
+        out.append(f'<path d="M{at:.1f} {top}V{bottom}" stroke="#ddd"/>')
+        out.append(text(at, bottom + 18, f"{0.1 * tenths:g}", "middle"))
+    out.append(text((left + WIDTH - right) / 2, bottom + 38, "travel, m", "middle"))
+    for index, (spin, exact, theirs, mended) in enumerate(lanes):
+        y = top + row * (index + 0.5)
+        out.append(text(left - 12, y + 4, f"{spin} rad/s", "end"))
+        out.append(f'<path d="M{left} {y:.1f}H{x(exact):.1f}" stroke="#bbb"/>')
+        out += [full(x(theirs), y, THEIRS), ring(x(exact), y), full(x(mended), y, OURS)]
+    out.append(f'<path d="M{left} {top}V{bottom}H{WIDTH - right}" fill="none" stroke="#888"/>')
+    return "\n".join([*out, "</svg>", ""])

@@ -28,13 +28,16 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from picture import drawn
+from picture import drawn, stops
 from scenes import EXACT, THROWN, compare
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 PAGE = ROOT / "docs" / "engines.md"
 PICTURE = ROOT / "docs" / "pictures" / "engines.svg"
+# Of docs/games.md: a puck by an engine alone and with this library's friction.
+STOPS = ROOT / "docs" / "pictures" / "puck-stops.svg"
+SHOWN = (("Rapier", "alone"), ("Rapier", "tribos-rapier"))
 MEANS = ROOT / "docs" / "tables" / "engines.csv"
 THROWS = ROOT / "docs" / "tables" / "engines-throws.csv"
 # Shown in this order; the first three, which every engine with faces has, give the rank.
@@ -415,7 +418,24 @@ def write_page():
             BAD,
         )
     )
+    write_stops()
     print(PAGE)
+
+
+def write_stops():
+    lanes = {}
+    for row in csv.DictReader(THROWS.read_text().splitlines()):
+        if row["scene"] == "puck":
+            lane = lanes.setdefault(row["spin_rad_s"], {})
+            lane[row["engine"].split()[0], row["setting"]] = row
+    drawn_lanes = []
+    for spin, lane in lanes.items():
+        if all(way in lane for way in SHOWN):
+            exact = float(lane["exact", ""]["along_m"])
+            found = (exact * (1 + float(lane[way]["along_percent"]) / 100) for way in SHOWN)
+            drawn_lanes.append((spin, exact, *found))
+    if drawn_lanes:
+        STOPS.write_text(stops(drawn_lanes, "Rapier alone", "with its patch"))
 
 
 def main():
