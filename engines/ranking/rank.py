@@ -398,44 +398,46 @@ def page(rows):
     )
 
 
-def write_page():
+def from_tables():
+    """The page and the pictures, by file."""
     rows = list(csv.DictReader(MEANS.read_text().splitlines()))
-    PAGE.write_text(page(rows))
     faces = [f"place_percent_{scene}" for scene in FACES]
     feet = [f"place_percent_{scene}" for scene in FEET]
-    PICTURE.parent.mkdir(exist_ok=True)
-    PICTURE.write_text(
-        drawn(
-            [
-                (
-                    f"{row['engine']}, {row['setting']}",
-                    row["repaired"] == "1",
-                    [number(row[key]) for key in faces if row[key]],
-                    [number(row[key]) for key in feet if row[key]],
-                )
-                for row in rows
-            ],
-            BAD,
+    marks = [
+        (
+            f"{row['engine']}, {row['setting']}",
+            row["repaired"] == "1",
+            [number(row[key]) for key in faces if row[key]],
+            [number(row[key]) for key in feet if row[key]],
         )
-    )
-    write_stops()
-    print(PAGE)
+        for row in rows
+    ]
+    files = {PAGE: page(rows), PICTURE: drawn(marks, BAD)}
+    found = lanes()
+    return {**files, STOPS: stops(found, "Rapier alone", "with its patch")} if found else files
 
 
-def write_stops():
-    lanes = {}
+def lanes():
+    """Spin, exact travel and that of the ways that are shown, of a puck."""
+    rows = {}
     for row in csv.DictReader(THROWS.read_text().splitlines()):
         if row["scene"] == "puck":
-            lane = lanes.setdefault(row["spin_rad_s"], {})
-            lane[row["engine"].split()[0], row["setting"]] = row
-    drawn_lanes = []
-    for spin, lane in lanes.items():
-        if all(way in lane for way in SHOWN):
-            exact = float(lane["exact", ""]["along_m"])
-            found = (exact * (1 + float(lane[way]["along_percent"]) / 100) for way in SHOWN)
-            drawn_lanes.append((spin, exact, *found))
-    if drawn_lanes:
-        STOPS.write_text(stops(drawn_lanes, "Rapier alone", "with its patch"))
+            way = row["engine"].split()[0], row["setting"]
+            rows.setdefault(row["spin_rad_s"], {})[way] = row
+    found = []
+    for spin, ways in rows.items():
+        if all(way in ways for way in SHOWN):
+            exact = float(ways["exact", ""]["along_m"])
+            travels = (exact * (1 + float(ways[way]["along_percent"]) / 100) for way in SHOWN)
+            found.append((spin, exact, *travels))
+    return found
+
+
+def write_page():
+    for path, text in from_tables().items():
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text)
+        print(path)
 
 
 def main():
