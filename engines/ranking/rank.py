@@ -268,7 +268,7 @@ def plain(cell):
     """A number as people read it."""
     if not cell or not math.isfinite(number(cell)):
         return cell or "–"
-    return "< 0.001" if 0 < number(cell) < 1e-3 else f"{number(cell):g}"
+    return "<0.001" if 0 < number(cell) < 1e-3 else f"{number(cell):g}"
 
 
 def table(head, rows):
@@ -278,44 +278,38 @@ def table(head, rows):
 
 
 def place_table(rows):
-    shapes = (*FACES, "tripod", "three_ball")
-    head = ["engine", *FACES, "tripod", "three balls", "angle", "step, µs"]
+    shapes = (*RANKED, "tall", "three_ball")
+    head = ["engine", *RANKED, "tall", "balls", "angle"]
     cells = []
     for row in rows:
         angle = mean_of(row, "turn", RANKED)
         errors = [shown(row[f"place_percent_{scene}"], note_of(row, scene)) for scene in shapes]
         angle = "" if angle is None else f"{angle:.2g}"
-        cells.append([name_of(row), *errors, shown(angle), plain(row["step_us"])])
+        cells.append([name_of(row), *errors, shown(angle)])
     return table(head, cells)
 
 
 def note_of(row, scene):
-    """The number of the note that concerns a cell."""
+    """The mark of the note that concerns a cell."""
     own = row["setting"] in ("plugin tribos.patch", "tribos-rapier")
-    if scene == "tall" and own:
-        return " ¹"
-    if scene == "ring" and row["place_percent_ring"] and not own:
-        return " ²"
-    if scene == "tripod" and row["engine"].startswith("Jolt"):
-        return " ³"
-    return ""
+    return "¹" if scene == "tall" and own else ""
 
 
 def other_table(rows):
-    head = ["engine", "ball: rolling speed, %", "disk spun down: angle, %", "capsule: creep, µm/s"]
+    head = ["engine", "ball, %", "disk, %", "capsule, µm/s", "step, µs"]
     cells = []
     for row in rows:
         ball, angle = row["ball_rolling_speed_percent"], row["turn_percent_spin_down"]
         creep = row["capsule_creep_um_s"]
-        if ball or angle or creep:
-            creeps = creep and number(creep) > CREEPS
-            creep = f"**{plain(creep)}**" if creeps else plain(creep)
-            cells.append([name_of(row), shown(ball), shown(angle), creep])
+        creeps = creep and number(creep) > CREEPS
+        creep = f"**{plain(creep)}**" if creeps else plain(creep)
+        cells.append([name_of(row), shown(ball), shown(angle), creep, plain(row["step_us"])])
     return table(head, cells)
 
 
 def name_of(row):
-    return f"{row['engine']}, {row['setting']}" + (" \\*" if row["repaired"] == "1" else "")
+    short = f"{row['engine'].split()[0]}, {row['setting'].removeprefix('plugin ')}"
+    return short + (" \\*" if row["repaired"] == "1" else "")
 
 
 def span(rows, quantity, scenes=RANKED):
@@ -351,18 +345,15 @@ def page(rows):
             *place_table(rows),
             "",
             "- ¹ The pressure of `tribos.patch` and `tribos-rapier` is uniform and does not lean with the body, which goes straight in place of its curve.",
-            "- ² A full cylinder in engines alone, most of which carry it on points of the rim, and under the two diffs, where its whole face counts: they",
-            f"  miss the ring's angle by {span(diffs, 'turn', ['ring'])}.",
-            "- ³ Without manifold reduction (`mUseManifoldReduction`), which would make one contact of the three; the diff leaves contacts of one point as they are.",
-            "- *tripod* and *three ball* stand on three points. Coulomb's law at points is right for them, and engines can be right without repair.",
-            "- *step*: the least of several runs of one sliding puck (Drake's points: of the tripod), each a mean over its steps, on a machine that did other",
-            "  work as well; that of Python packages contains the call of a step where they have no call for many.",
+            "- *balls* (`three_ball`) stand on three points. Coulomb's law at points is right for them, and engines can be right without repair.",
             "",
-            "Angles of every body, and everything else by set-up: [engines.csv](tables/engines.csv). Every throw: [engines-throws.csv](tables/engines-throws.csv).",
+            "Ring, bar and tripod, the angles of every body: [engines.csv](tables/engines.csv). Every throw: [engines-throws.csv](tables/engines-throws.csv).",
             "",
-            "## Other scenes",
+            "## Other scenes, and the time of a step",
             "",
-            "A ball that slides until it rolls, a disk that only spins, a capsule that is held between two pads (the answer is 0).",
+            "*ball*: error of the speed with which it rolls after sliding. *disk*: error of the angle in which a disk that only spins stops. *capsule*: creep of",
+            "one that is held between two pads, which should be 0. *step*: the least of several runs of one sliding puck (Drake's points: of the tripod), each a",
+            "mean over its steps, on a machine that did other work as well; with Python packages it contains the call where they have no call for many steps.",
             "",
             *other_table(rows),
             "",
@@ -377,6 +368,10 @@ def page(rows):
             "One body of 1 kg, no restitution, no damping, no sleep, half a second to settle, then the launch. Flat bodies are 2 cm high with their centre of",
             "mass in the plane of contact, as the problems have it. Place and angle are read half a second later than 1.5 times the exact time until rest.",
             "",
+            "- `ring` is a full cylinder in engines alone, which most of them carry on points of the rim, and under the two diffs, where its whole face counts:",
+            f"  they miss its angle by {span(diffs, 'turn', ['ring'])}.",
+            "- Jolt's body on feet has no manifold reduction (`mUseManifoldReduction`), which would make one contact of the three; the diff leaves contacts of",
+            "  one point as they are.",
             "- Cylinders are prisms of 16 sides in box3d; such a puck itself goes up to 1 % less far.",
             "- The bar is a box of 2 mm width. Feet are balls of 1 cm radius; `tribos.patch` and `tribos-rapier` have a disk of their own on each.",
             "- Rapier's contacts of an upright cylinder now and then have a normal that is 2° to 9° off for a step, alone as with `tribos-rapier`, which throws",
