@@ -6,11 +6,16 @@
     engines/box3d/run.sh BOX3D
     engines/jolt/run.sh JOLT
     python3 engines/ranking/rank.py [--rows FOLDER] [--engines NAME ...]
+    python3 engines/ranking/rank.py --page
 
 BOX3D and JOLT are git checkouts at the commits that the scripts name; their results stay in target/engines, from where they
 are read here. All others run here, one after the other, which takes some minutes: the Python packages under the Python of
-this script, MuJoCo's repair if its plugin is built, and Rapier by the example `answers` of tribos-rapier. Whatever is missing is left out, and the page says so. The page has the time of a step: nothing else should
-run. --rows keeps the raw rows in a folder and takes from there what is there already.
+this script, MuJoCo's repair if its plugin is built, and Rapier by the example `answers` of tribos-rapier. Whatever is missing
+is left out, and the page says so. The page has the time of a step: nothing else should run. --rows keeps the raw rows in a
+folder and takes from there what is there already.
+
+The results go to docs/tables/engines.csv and engines-throws.csv, the page and its picture are made from these two: --page
+does this alone, without any engine.
 """
 
 import argparse
@@ -23,11 +28,18 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from picture import drawn, stops
 from scenes import EXACT, THROWN, compare
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 PAGE = ROOT / "docs" / "engines.md"
+PICTURE = ROOT / "docs" / "pictures" / "engines.svg"
+# Of docs/games.md: a puck by an engine alone and with this library's friction.
+STOPS = ROOT / "docs" / "pictures" / "puck-stops.svg"
+SHOWN = (("Rapier", "alone"), ("Rapier", "tribos-rapier"))
+MEANS = ROOT / "docs" / "tables" / "engines.csv"
+THROWS = ROOT / "docs" / "tables" / "engines-throws.csv"
 # Shown in this order; the first three, which every engine with faces has, give the rank.
 RANKED = ("puck", "box", "plank")
 FACES = (*RANKED, "ring", "bar", "tall")
@@ -35,6 +47,8 @@ FEET = ("tripod", "three_ball_low", "three_ball")
 TIMEOUT = 3600  # s
 # An error of ten times the answer: the simulation diverges.
 ABSURD = 10.0
+BAD = 10  # %
+CREEPS = 1.0  # µm/s
 NAMES = {"box3d": "box3d", "jolt": "Jolt"}
 
 
@@ -146,7 +160,7 @@ def turn_errors(way, scene):
 def percent(errors):
     """The mean; a diverged launch spoils it."""
     if not errors:
-        return "–"
+        return ""
     mean = statistics.fmean(errors)
     return (
         "diverges"
@@ -165,144 +179,260 @@ def rank(way):
     return math.inf if math.isnan(mean) else mean
 
 
-def name_of(way):
-    short = way.engine.split(",")[0]
-    return f"{short}, {way.way}" + (" (repaired)" if way.repaired else "")
+def means(way):
+    """A row of engines.csv."""
+    engine, about = way.engine.split(", ", 1)
+    off = compare.errors(EXACT, way.values)
+    ball = [abs(error) for (_, _, name), error in off.items() if name == "rolling_speed_m_s"]
+    creep = way.values.get(("capsule", 0.0, "creep_m_s"))
+    cost = way.values.get(("cost", 50.0, "step_us"))
+    return {
+        "engine": engine,
+        "setting": way.way,
+        "repaired": int(way.repaired),
+        "about": about,
+        "run_on": f"Python {platform.python_version()}, {platform.system()} on {platform.machine()}",
+        **{
+            f"place_percent_{scene}": percent(place_errors(way, scene)) for scene in (*FACES, *FEET)
+        },
+        **{
+            f"turn_percent_{scene}": percent(turn_errors(way, scene))
+            for scene in (*FACES, *FEET, "spin_down")
+        },
+        "ball_rolling_speed_percent": percent(ball),
+        "capsule_creep_um_s": ""
+        if creep is None
+        else "falls"
+        if creep > 2e-3
+        else f"{1e6 * creep:.3g}",
+        "step_us": "" if cost is None else f"{cost:.3g}",
+    }
 
 
-def summary(ways, scenes, errors):
-    lines = ["| engine | " + " | ".join(scenes) + " |", "|---" * (len(scenes) + 1) + "|"]
-    for way in ways:
-        cells = [percent(errors(way, scene)) for scene in scenes]
-        if any(cell != "–" for cell in cells):
-            lines.append(f"| {name_of(way)} | " + " | ".join(cells) + " |")
-    return lines
-
-
-def along_table(ways, scene):
-    spins = sorted(
-        {spin for name, spin, quantity in EXACT if name == scene and quantity == "along_m"}, key=abs
-    )
-    head = ["engine", *(f"{spin:g} rad/s" for spin in spins)]
-    exact = [
-        f"{EXACT[scene, spin, 'along_m']:.4f}, {1e3 * EXACT[scene, spin, 'left_m']:+.1f}"
-        for spin in spins
-    ]
-    lines = [
-        "| " + " | ".join(head) + " |",
-        "|---" * len(head) + "|",
-        "| exact: along in m, left in mm | " + " | ".join(exact) + " |",
-    ]
-    for way in ways:
-        cells = []
-        for spin in spins:
-            along = way.values.get((scene, spin, "along_m"))
-            left = way.values.get((scene, spin, "left_m"))
-            if along is None:
-                cells.append("–")
-            elif not abs(along / EXACT[scene, spin, "along_m"] - 1) < ABSURD:
-                cells.append("diverges")
-            else:
-                cells.append(
-                    f"{100 * (along / EXACT[scene, spin, 'along_m'] - 1):+.1f} %, {1e3 * left:+.1f}"
-                )
-        if any(cell != "–" for cell in cells):
-            lines.append(f"| {name_of(way)} | " + " | ".join(cells) + " |")
-    return lines
-
-
-def other_table(ways):
-    lines = [
-        "| engine | ball: rolling speed, % | capsule: creep, µm/s | disk spun down: turn, % | time of a step, µs |",
-        "|---|---|---|---|---|",
-    ]
-    for way in ways:
-        off = compare.errors(EXACT, way.values)
-        ball = [
-            abs(error)
-            for (scene, _, quantity), error in off.items()
-            if quantity == "rolling_speed_m_s"
-        ]
-        creep = way.values.get(("capsule", 0.0, "creep_m_s"))
-        creep = "–" if creep is None else "falls" if creep > 2e-3 else f"{1e6 * creep:.3g}"
-        cost = way.values.get(("cost", 50.0, "step_us"))
-        cost = "–" if cost is None else f"{cost:.3g}"
-        cells = [percent(ball), creep, percent(turn_errors(way, "spin_down")), cost]
-        if any(cell != "–" for cell in cells):
-            lines.append(f"| {name_of(way)} | " + " | ".join(cells) + " |")
-    return lines
-
-
-def page(ways, missing):
-    ways = sorted(ways, key=rank)
-    engines = sorted({way.engine for way in ways})
-    out = [
-        "# Simulators against the reference answers",
-        "",
-        "Made by `python3 engines/ranking/rank.py`, which runs the scenes of [tests/answers](../tests/answers/README.md) in the",
-        "simulators that are installed. The problems and their answers do not depend on any of them, nor on this library: anyone can",
-        "repeat the comparison with `tests/answers/compare.py`. *Repaired* engines have the friction of this library: the MuJoCo plugin",
-        "`tribos.patch`, `tribos-rapier`, and the diffs for box3d and Jolt.",
-        "",
-        *(f"- {engine}" for engine in engines),
-        *(f"- {name}: skipped, {reason}" for name, reason in missing.items()),
-        "",
-        f"Python {platform.python_version()}, {platform.system()} on {platform.machine()}.",
-        "",
-        "## Where bodies with faces come to rest",
-        "",
-        "Distance from the exact place of rest in % of the displacement, mean over the spins 0, 5, 12.5, 25 and 50 rad/s; the engines",
-        "are in the order of the mean over the first three columns.",
-        "",
-        *summary(ways, FACES, place_errors),
-        "",
-        "Error of the angle turned until rest, in %, mean over the spins other than 0:",
-        "",
-        *summary(ways, FACES, turn_errors),
-        "",
-        "## Bodies on three points",
-        "",
-        "Place of rest and angle in the same way. Such bodies have no faces: engines with Coulomb's law at points can be right without repair.",
-        "",
-        *summary(ways, FEET, place_errors),
-        "",
-        *summary(ways, FEET, turn_errors),
-        "",
-        "## Other scenes, and the price of a step",
-        "",
-        "The time is the least of several runs of one sliding puck (Drake's points: of the tripod), each a mean over its steps, on a machine",
-        "that did other work as well; that of Python packages contains the call of a step where they have no call for many.",
-        "",
-        *other_table(ways),
-        "",
-        "## Throw by throw",
-        "",
-        "Error of the displacement along the launch in %, displacement to the left in mm.",
-    ]
+def throws(ways):
+    """Rows of engines-throws.csv."""
+    rows = []
     for scene in THROWN:
-        if scene != "spin_down":
-            out += ["", f"### {scene}", "", *along_table(ways, scene)]
-    out += [
-        "",
-        "## How the engines were set up",
-        "",
-        "- One body of 1 kg, no restitution, no damping, no sleep, half a second to settle, then the launch. Flat bodies are 2 cm high with",
-        "  their centre of mass in the plane of contact, as the problems have it.",
-        "- `ring` is a full cylinder in engines alone, which most of them carry on points of the rim, and under the two diffs, where its whole face counts.",
-        "- Cylinders are prisms of 16 sides in box3d; such a puck itself goes up to 1 % less far.",
-        "- The bar is a box of 2 mm width. Feet are balls of 1 cm radius; `tribos.patch` and `tribos-rapier` have a disk of their own on each.",
-        "- Jolt's body on feet has no manifold reduction (`mUseManifoldReduction`), which would make one contact of the three; the diff leaves",
-        "  contacts of one point as they are.",
-        "- `tall` under `tribos.patch` and `tribos-rapier` has a uniform pressure, which does not follow the moment of friction: the body goes straight.",
-        "- MuJoCo loses the contacts of a cylinder that spins exactly upright for tens of milliseconds, in which it drops or is thrown up by 1 to 2 mm",
-        "  (`spin_down`). Under `tribos.patch` a puck that slides tilts enough to keep all three.",
-        "- Rapier's contacts of an upright cylinder now and then have a normal that is 2° to 9° off for a step, alone as with `tribos-rapier`, which throws the",
-        "  body up: `puck` and `ring` alone and `ring` with the patch at 12.5 rad/s, `puck` with the patch at 50.",
-        "- Drake: its points serve bodies on feet, hydroelastic contact (1e7 Pa) those with faces, with the default contact approximation.",
-        "- Place and angle are read half a second later than 1.5 times the exact time until rest after the launch.",
-        "",
+        spins = {spin for name, spin, quantity in EXACT if (name, quantity) == (scene, "along_m")}
+        for spin in sorted(spins, key=abs):
+            if scene == "spin_down":
+                continue
+            along, left = EXACT[scene, spin, "along_m"], EXACT[scene, spin, "left_m"]
+            here = {"scene": scene, "spin_rad_s": f"{spin:g}"}
+            exact = {"engine": "exact", "along_m": f"{along:.4f}", "left_mm": f"{1e3 * left:+.1f}"}
+            rows.append({**here, **exact})
+            for way in ways:
+                found = way.values.get((scene, spin, "along_m"))
+                if found is None:
+                    continue
+                off, left = found / along - 1, way.values[scene, spin, "left_m"]
+                rows.append(
+                    {
+                        **here,
+                        "engine": way.engine.split(",")[0],
+                        "setting": way.way,
+                        **(
+                            {"along_percent": f"{100 * off:+.1f}", "left_mm": f"{1e3 * left:+.1f}"}
+                            if abs(off + 1) < ABSURD
+                            else {"along_percent": "diverges"}
+                        ),
+                    }
+                )
+    return rows
+
+
+def written(path, columns, rows):
+    path.parent.mkdir(exist_ok=True)
+    with path.open("w", newline="") as file:
+        table = csv.DictWriter(file, columns, restval="", lineterminator="\n")
+        table.writeheader()
+        table.writerows(rows)
+
+
+def number(cell):
+    """Of a cell that has one: infinite where the simulation diverges."""
+    return math.inf if cell in ("diverges", "falls") else float(cell)
+
+
+def mean_of(row, quantity, scenes):
+    cells = [row[f"{quantity}_percent_{scene}"] for scene in scenes]
+    return statistics.fmean(map(number, cells)) if all(cells) else None
+
+
+def shown(cell, note=""):
+    """An error in %, bold where it is bad."""
+    return (f"**{plain(cell)}**" if cell and number(cell) > BAD else plain(cell)) + note
+
+
+def plain(cell):
+    """A number as people read it."""
+    if not cell or not math.isfinite(number(cell)):
+        return cell or "–"
+    return "<0.001" if 0 < number(cell) < 1e-3 else f"{number(cell):g}"
+
+
+def table(head, rows):
+    return ["| " + " | ".join(head) + " |", "|---" * len(head) + "|"] + [
+        "| " + " | ".join(cells) + " |" for cells in rows
     ]
-    return "\n".join(out)
+
+
+def place_table(rows):
+    shapes = (*RANKED, "tall", "three_ball")
+    head = ["engine", *RANKED, "tall", "balls", "angle"]
+    cells = []
+    for row in rows:
+        angle = mean_of(row, "turn", RANKED)
+        errors = [shown(row[f"place_percent_{scene}"], note_of(row, scene)) for scene in shapes]
+        angle = "" if angle is None else f"{angle:.2g}"
+        cells.append([name_of(row), *errors, shown(angle)])
+    return table(head, cells)
+
+
+def note_of(row, scene):
+    """The mark of the note that concerns a cell."""
+    own = row["setting"] in ("plugin tribos.patch", "tribos-rapier")
+    return "¹" if scene == "tall" and own else ""
+
+
+def other_table(rows):
+    head = ["engine", "ball, %", "disk, %", "capsule, µm/s", "step, µs"]
+    cells = []
+    for row in rows:
+        ball, angle = row["ball_rolling_speed_percent"], row["turn_percent_spin_down"]
+        creep = row["capsule_creep_um_s"]
+        creeps = creep and number(creep) > CREEPS
+        creep = f"**{plain(creep)}**" if creeps else plain(creep)
+        cells.append([name_of(row), shown(ball), shown(angle), creep, plain(row["step_us"])])
+    return table(head, cells)
+
+
+def name_of(row):
+    short = f"{row['engine'].split()[0]}, {row['setting'].removeprefix('plugin ')}"
+    return short + (" \\*" if row["repaired"] == "1" else "")
+
+
+def span(rows, quantity, scenes=RANKED):
+    """The least and the largest mean over the scenes, in %."""
+    found = [mean_of(row, quantity, scenes) for row in rows]
+    found = [float(f"{mean:.2g}") for mean in found if mean is not None]
+    return f"{min(found):g} to {max(found):g} %" if found else "–"
+
+
+def page(rows):
+    bare = [row for row in rows if row["repaired"] == "0"]
+    mended = [row for row in rows if row["repaired"] == "1"]
+    diffs = [row for row in mended if row["setting"] == "friction.diff"]
+    engines = sorted({f"{row['engine']}, {row['about']}" for row in rows})
+    known = {"MuJoCo", "Drake", "Bullet", "Rapier", *NAMES.values()}
+    absent = sorted(known - {row["engine"].split()[0] for row in rows})
+    return "\n".join(
+        [
+            "# Simulators against exact answers",
+            "",
+            f"Simulators as they are stop a spinning puck, box or plank {span(bare, 'place')} of its way off, and miss the angle that it turns by",
+            f"{span(bare, 'turn')}. With the friction of this library the errors are {span(mended, 'place')} and {span(mended, 'turn')}. The",
+            "[problems and their answers](../tests/answers/README.md) depend on no simulator and not on this library:",
+            "`python3 tests/answers/compare.py RESULTS.csv` judges yours.",
+            "",
+            "![Twelve set-ups from the best to the worst; marks show by how much each body misses its place of rest](pictures/engines.svg)",
+            "",
+            "## Where bodies come to rest",
+            "",
+            "Distance from the exact place of rest in % of the displacement, mean over five spins. *Angle*: error of the angle turned until rest, in %, mean",
+            f"of puck, box and plank over the spins other than 0. **Bold**: more than {BAD} %. \\*: friction of this library. Order: mean of puck, box and plank.",
+            "",
+            *place_table(rows),
+            "",
+            "- ¹ The pressure of `tribos.patch` and `tribos-rapier` is uniform and does not lean with the body, which goes straight in place of its curve.",
+            "- *balls* (`three_ball`) stand on three points. Coulomb's law at points is right for them, and engines can be right without repair.",
+            "",
+            "Ring, bar and tripod, the angles of every body: [engines.csv](tables/engines.csv). Every throw: [engines-throws.csv](tables/engines-throws.csv).",
+            "",
+            "## Other scenes, and the time of a step",
+            "",
+            "*ball*: error of the speed with which it rolls after sliding. *disk*: error of the angle in which a disk that only spins stops. *capsule*: creep of",
+            "one that is held between two pads, which should be 0. *step*: the least of several runs of one sliding puck (Drake's points: of the tripod), each a",
+            "mean over its steps, on a machine that did other work as well; with Python packages it contains the call where they have no call for many steps.",
+            "",
+            *other_table(rows),
+            "",
+            "MuJoCo loses the contacts of a cylinder that spins exactly upright for tens of milliseconds, in which it drops or is thrown up by 1 to 2 mm: hence",
+            "its error for the disk, with the plugin as without. A puck that slides tilts enough to keep all contacts under the plugin.",
+            "",
+            "## How the engines were set up",
+            "",
+            *(f"- {engine}" for engine in engines),
+            *(f"- {name}: not run" for name in absent),
+            "",
+            "One body of 1 kg, no restitution, no damping, no sleep, half a second to settle, then the launch. Flat bodies are 2 cm high with their centre of",
+            "mass in the plane of contact, as the problems have it. Place and angle are read half a second later than 1.5 times the exact time until rest.",
+            "",
+            "- `ring` is a full cylinder in engines alone, which most of them carry on points of the rim, and under the two diffs, where its whole face counts:",
+            f"  they miss its angle by {span(diffs, 'turn', ['ring'])}.",
+            "- Jolt's body on feet has no manifold reduction (`mUseManifoldReduction`), which would make one contact of the three; the diff leaves contacts of",
+            "  one point as they are.",
+            "- Cylinders are prisms of 16 sides in box3d; such a puck itself goes up to 1 % less far.",
+            "- The bar is a box of 2 mm width. Feet are balls of 1 cm radius; `tribos.patch` and `tribos-rapier` have a disk of their own on each.",
+            "- Rapier's contacts of an upright cylinder now and then have a normal that is 2° to 9° off for a step, alone as with `tribos-rapier`, which throws",
+            "  the body up: `puck` and `ring` alone, `ring` with the patch at 12.5 rad/s, `puck` with the patch at 50.",
+            "- Drake: its points serve bodies on feet, hydroelastic contact (1e7 Pa) those with faces, with the default contact approximation.",
+            "",
+            "## Run it again",
+            "",
+            "`engines/ranking/rank.py` says in its first lines what to install, runs every simulator that it finds, and writes this page. The friction of this",
+            "library is the plugin [`tribos.patch`](mujoco.md) in MuJoCo, [`tribos-rapier`](games.md) in Rapier, and the diffs for box3d and Jolt, which put",
+            "[one projection a manifold](inside-an-engine.md) into the engine.",
+            "",
+            "## Limits",
+            "",
+            "Each simulator was run with one step and one set of options, said above; smaller steps make some of them better. A time of a step is that of one",
+            "body, which says little of a world of a thousand.",
+            "",
+        ]
+    )
+
+
+def from_tables():
+    """The page and the pictures, by file."""
+    rows = list(csv.DictReader(MEANS.read_text().splitlines()))
+    faces = [f"place_percent_{scene}" for scene in FACES]
+    feet = [f"place_percent_{scene}" for scene in FEET]
+    marks = [
+        (
+            f"{row['engine']}, {row['setting']}",
+            row["repaired"] == "1",
+            [number(row[key]) for key in faces if row[key]],
+            [number(row[key]) for key in feet if row[key]],
+        )
+        for row in rows
+    ]
+    files = {PAGE: page(rows), PICTURE: drawn(marks, BAD)}
+    found = lanes()
+    return {**files, STOPS: stops(found, "Rapier alone", "with its patch")} if found else files
+
+
+def lanes():
+    """Spin, exact travel and that of the ways that are shown, of a puck."""
+    rows = {}
+    for row in csv.DictReader(THROWS.read_text().splitlines()):
+        if row["scene"] == "puck":
+            way = row["engine"].split()[0], row["setting"]
+            rows.setdefault(row["spin_rad_s"], {})[way] = row
+    found = []
+    for spin, ways in rows.items():
+        if all(way in ways for way in SHOWN):
+            exact = float(ways["exact", ""]["along_m"])
+            travels = (exact * (1 + float(ways[way]["along_percent"]) / 100) for way in SHOWN)
+            found.append((spin, exact, *travels))
+    return found
+
+
+def write_page():
+    for path, text in from_tables().items():
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text)
+        print(path)
 
 
 def main():
@@ -312,7 +442,11 @@ def main():
     names = (*COMMANDS, *NAMES)
     parser.add_argument("--rows", type=Path)
     parser.add_argument("--engines", nargs="+", choices=names, default=names)
+    parser.add_argument("--page", action="store_true", help="from the tables, without an engine")
     args = parser.parse_args()
+    if args.page:
+        write_page()
+        return
     ways, missing = [], {name: "not asked for" for name in names if name not in args.engines}
     for name in args.engines:
         try:
@@ -333,8 +467,14 @@ def main():
                 missing["MuJoCo's plugin"] = "it is not built; make -C engines/mujoco builds it"
         except Missing as reason:
             missing[name] = str(reason)
-    PAGE.write_text(page(ways, missing))
-    print(PAGE)
+    for name, reason in missing.items():
+        print(f"{name} is left out: {reason}", file=sys.stderr)
+    ways = sorted(ways, key=rank)
+    found = [means(way) for way in ways]
+    written(MEANS, list(means(Way("none, none", "", False))), found)
+    thrown = ["scene", "spin_rad_s", "engine", "setting", "along_m", "along_percent", "left_mm"]
+    written(THROWS, thrown, throws(ways))
+    write_page()
 
 
 if __name__ == "__main__":

@@ -47,3 +47,8 @@ pub use refusal::FloorError;
 pub use region::RegionId;
 pub use report::{Friction, Stop};
 pub use tribos_feet::{Footprint, FootprintError};
+
+/// The program of the first page.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Guide;

@@ -102,7 +102,7 @@ fn of_the_kernel() -> u64 {
     digest.hash
 }
 
-fn compiled(compiler: &str, flags: &[&str], program: &Path) -> bool {
+fn compiled(compiler: &str, flags: &[&str], source: &Path, program: &Path) -> bool {
     if !has(compiler) {
         return false;
     }
@@ -116,8 +116,8 @@ fn compiled(compiler: &str, flags: &[&str], program: &Path) -> bool {
         "-O2",
         "-ffp-contract=off",
     ]);
-    cc.args(["-I../include", "manifold.c", "-lm", "-o"])
-        .arg(program);
+    cc.arg("-I../include").arg(source);
+    cc.args(["-lm", "-o"]).arg(program);
     let output = cc.output().expect("a compiler");
     assert!(
         output.status.success(),
@@ -130,6 +130,7 @@ fn compiled(compiler: &str, flags: &[&str], program: &Path) -> bool {
 #[test]
 fn the_header_of_manifold_friction_has_the_kernels_bits() {
     let wanted = format!("{:016x}\n", of_the_kernel());
+    let source = Path::new("manifold.c");
     for (compiler, flags) in [
         ("cc", &["-std=c99"][..]),
         ("cc", &["-std=c99", "-march=native"]),
@@ -138,7 +139,7 @@ fn the_header_of_manifold_friction_has_the_kernels_bits() {
         ("cc", &["-std=c99", "-DTRIBOS_FN=static __inline__"]),
     ] {
         let program = scratch("manifold");
-        if compiled(compiler, flags, &program) {
+        if compiled(compiler, flags, source, &program) {
             assert_eq!(
                 printed(&mut Command::new(&program)),
                 wanted,
@@ -148,8 +149,23 @@ fn the_header_of_manifold_friction_has_the_kernels_bits() {
     }
     let program = scratch("manifold-aarch64");
     let flags = ["-std=c99", "-static"];
-    if has("qemu-aarch64") && compiled("aarch64-linux-gnu-gcc", &flags, &program) {
+    if has("qemu-aarch64") && compiled("aarch64-linux-gnu-gcc", &flags, source, &program) {
         let mut emulated = Command::new("qemu-aarch64");
         assert_eq!(printed(emulated.arg(&program)), wanted, "NEON");
+    }
+}
+
+#[test]
+fn the_program_of_the_page_prints_what_follows_it() {
+    let page = folder("../../docs/inside-an-engine.md");
+    let page = std::fs::read_to_string(page).expect("the page");
+    let (_, after) = page.split_once("```c\n").expect("a program");
+    let (program, after) = after.split_once("```\n").expect("its end");
+    let (_, said) = after.split_once("```text\n").expect("what it prints");
+    let (said, _) = said.split_once("```\n").expect("its end");
+    let (source, built) = (scratch("inside-an-engine.c"), scratch("inside-an-engine"));
+    std::fs::write(&source, program).expect("a file");
+    if compiled("cc", &["-std=c99"], &source, &built) {
+        assert_eq!(printed(&mut Command::new(&built)), said);
     }
 }

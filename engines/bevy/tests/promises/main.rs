@@ -4,6 +4,7 @@
 #[allow(dead_code, reason = "what another adapter needs")]
 mod exact;
 mod grounds;
+mod page;
 mod removal;
 mod rest;
 mod runs;
