@@ -23,6 +23,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#define TRIBOS_VERSION "0.1.0"
+
 // 0 after success; any other value gives the reason why the results were not written.
 enum tribos_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L

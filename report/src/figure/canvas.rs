@@ -3,8 +3,10 @@
 use super::FigureError;
 use plotters::coord::Shift;
 use plotters::prelude::*;
-use plotters::style::register_font;
 use resvg::{tiny_skia, usvg};
+use skrifa::instance::{LocationRef, Size};
+use skrifa::raw::{TableProvider, tables::kern::SubtableKind};
+use skrifa::{FontRef, MetadataProvider};
 use std::sync::Arc;
 
 /// SVG units per pixel: plotters knows whole units only and a pixel is too coarse.
@@ -13,16 +15,15 @@ pub(crate) const PX: i32 = 10;
 /// A rectangle of the image, measured in SVG units.
 pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-/// Refuses sizes that cannot be drawn and makes the font known, before any text is measured.
-pub(crate) fn prepare((width, height): (u32, u32)) -> Result<(), FigureError> {
+/// Refuses sizes that cannot be drawn.
+pub(crate) fn check_size((width, height): (u32, u32)) -> Result<(), FigureError> {
     if ![width, height]
         .iter()
         .all(|side| (120..=4000).contains(side))
     {
         return Err(FigureError::Size(width, height));
     }
-    let face = dejavu::sans::regular();
-    register_font("sans-serif", FontStyle::Normal, face).map_err(|_| FigureError::Font)
+    Ok(())
 }
 
 /// Draws on a white canvas and returns the SVG document.
@@ -39,8 +40,8 @@ pub(super) fn svg_shown_at(
     (width, height): (u32, u32),
     paint: impl Fn(&Area) -> Result<(), FigureError>,
 ) -> Result<String, FigureError> {
-    prepare(shown)?;
-    prepare((width, height))?;
+    check_size(shown)?;
+    check_size((width, height))?;
     let fine = (width * PX as u32, height * PX as u32);
     let mut text = String::new();
     let root = SVGBackend::with_string(&mut text, fine).into_drawing_area();
@@ -84,10 +85,38 @@ pub(super) fn font(size: f64) -> TextStyle<'static> {
         .color(&RGBColor(50, 50, 50))
 }
 
-/// Width of a text in SVG units, slightly generous.
+/// Width of a text in SVG units, 7 % generous; plotters has no font and only guesses.
 pub(crate) fn width(text: &str, size: f64) -> i32 {
-    let measured = font(size).font.box_size(text);
-    measured.map_or(0, |(width, _)| width as i32)
+    let share = width_in_heights(text).unwrap_or(0.0);
+    (share * size * 1.24 * f64::from(PX)) as i32
+}
+
+// Width of a text in the embedded font, in units of the font's height from ascent to descent.
+fn width_in_heights(text: &str) -> Option<f64> {
+    let font = FontRef::new(dejavu::sans::regular()).ok()?;
+    let (map, kern) = (font.charmap(), font.kern().ok()?);
+    let subtables: Vec<_> = kern.subtables().flatten().collect();
+    let glyphs: Vec<_> = text
+        .chars()
+        .map(|letter| map.map(letter).unwrap_or_default())
+        .collect();
+    let advances = font.glyph_metrics(Size::unscaled(), LocationRef::default());
+    let alone: f32 = glyphs
+        .iter()
+        .filter_map(|id| advances.advance_width(*id))
+        .sum();
+
+    // Pairs of letters that stand closer, or farther apart.
+    let kerning = |pair: &[skrifa::GlyphId]| {
+        subtables.iter().find_map(|table| match table.kind() {
+            Ok(SubtableKind::Format0(pairs)) => pairs.kerning(pair[0], pair[1]),
+            _ => None,
+        })
+    };
+    let together: i32 = glyphs.windows(2).filter_map(kerning).sum();
+    let metrics = font.metrics(Size::unscaled(), LocationRef::default());
+    let height = f64::from(metrics.ascent - metrics.descent);
+    Some((f64::from(alone) + f64::from(together)) / height)
 }
 
 /// A font size at which a text is no wider than `room`, at most `size`.

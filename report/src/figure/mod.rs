@@ -103,9 +103,6 @@ pub enum FigureError {
     /// The canvas is too small to hold a plot or too large to draw.
     #[error("a figure of {0} x {1} pixels cannot be drawn")]
     Size(u32, u32),
-    /// The embedded font was not accepted.
-    #[error("the embedded font cannot be read")]
-    Font,
     /// The SVG could not be drawn.
     #[error("drawing failed: {0}")]
     Draw(#[from] DrawingAreaErrorKind<std::io::Error>),

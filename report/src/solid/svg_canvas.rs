@@ -37,7 +37,7 @@ pub struct SvgCanvas {
 impl SvgCanvas {
     /// White paper of a size in pixels.
     pub fn new(size: (u32, u32)) -> Result<Self, FigureError> {
-        canvas::prepare(size)?;
+        canvas::check_size(size)?;
         Ok(Self {
             size,
             body: String::new(),

@@ -26,6 +26,10 @@ fn generated() -> String {
         include_guard: Some("TRIBOS_H".to_owned()),
         no_includes: true,
         sys_includes: vec!["stddef.h".to_owned(), "stdint.h".to_owned()],
+        after_includes: Some(format!(
+            "\n#define TRIBOS_VERSION \"{}\"",
+            env!("CARGO_PKG_VERSION")
+        )),
         usize_is_size_t: true,
         documentation_style: DocumentationStyle::C99,
         line_length: 100,
