@@ -8,7 +8,10 @@ import latex2mathml.converter
 from docutils import nodes
 
 ROOT = Path(__file__).parent.parent
+DOCS = ROOT / "docs"
 OUTSIDE = re.compile(r"\[([^]]+)\]\((\.\./[^)#\s]+)(#[^)]*)?\)")
+PLAYGROUND = re.compile(r"\[(!\[[^]]*\]\([^)]*\)|[^]]+)\]\(playground\.html\)")
+PICTURE = re.compile(r"^!\[([^]]*)\]\((pictures/[^)]+)\)", re.MULTILINE)
 
 project = "Tribos"
 author = "The Tribos developers"
@@ -52,14 +55,13 @@ def block(translator, node: nodes.math_block) -> None:
     raise nodes.SkipNode
 
 
-def outside(app, name: str, text: list[str]) -> None:
-    """A link out of this folder leads to the repository or, as long as that has no address, is a path in a clone."""
-    repository = tomllib.loads((ROOT / "docs/install.toml").read_text(encoding="utf-8"))["repository"]
-    folder = (ROOT / "docs" / name).parent
+def read(app, name: str, text: list[str]) -> None:
+    """Links out of this folder lead to the repository or, as long as that has no address, are paths in a clone."""
+    repository = tomllib.loads((DOCS / "install.toml").read_text(encoding="utf-8"))["repository"]
 
     def link(found: re.Match[str]) -> str:
-        path = (folder / found[2]).resolve()
-        if path.is_relative_to(ROOT / "docs"):
+        path = ((DOCS / name).parent / found[2]).resolve()
+        if path.is_relative_to(DOCS):
             return found[0]
         if not path.exists():
             raise FileNotFoundError(f"{name}: {found[0]}")
@@ -67,10 +69,25 @@ def outside(app, name: str, text: list[str]) -> None:
         return f"[{found[1]}]({repository}/blob/main/{place})" if repository else f"{found[1]} (`{place}`)"
 
     text[0] = OUTSIDE.sub(link, text[0])
+    # A page of its own, which Sphinx would take for a file to download.
+    text[0] = PLAYGROUND.sub(r'<a href="playground.html">\1</a>', text[0])
     if name == "fronts/index":
         text[0] += "\n```{toctree}\n:hidden:\n:glob:\n\n*\n```\n"
+    if name == "gallery":
+        text[0] += gallery()
+
+
+def gallery() -> str:
+    """Every picture of the pages, each with its page."""
+    cards = []
+    for page in sorted(DOCS.glob("*.md")):
+        for words, picture in PICTURE.findall(page.read_text(encoding="utf-8")):
+            cards.append(
+                f":::{{grid-item-card}}\n:img-top: {picture}\n:link: {page.stem}\n:link-type: doc\n\n{' '.join(words.split())}\n:::\n"
+            )
+    return "\n::::{grid} 1 2 2 3\n:gutter: 3\n\n" + "\n".join(cards) + "::::\n"
 
 
 def setup(app) -> None:
-    app.connect("source-read", outside)
+    app.connect("source-read", read)
     app.add_html_math_renderer("mathml", inline_renderers=(inline, None), block_renderers=(block, None))
