@@ -6,6 +6,8 @@ import { choice, find, range, slider } from "./controls.js";
 import { canPlay, judged, newTarget } from "./game.js";
 import { everythingReady, isComplete } from "./kernel.js";
 import { onNewLanguage, t } from "./language.js";
+import { programBox } from "./program-box.js";
+import { throwPrograms } from "./programs.js";
 import { durationOf, moves, race } from "./race.js";
 import { startDrawing } from "./outline.js";
 import { drawStage, fitted } from "./stage.js";
@@ -43,6 +45,7 @@ let isAnswer = false;
 let shows = [];
 let playing = 0;
 let summary = () => "";
+let showPrograms = () => {};
 
 /** Chooses what the bodies slide on, with the usual throw there. */
 function useGround(name) {
@@ -97,6 +100,7 @@ function compute() {
   find("game-start").disabled = !canPlay(setup);
   tabulate();
   for (const show of shows) show();
+  showPrograms(throwPrograms(setup));
   paint();
 }
 
@@ -274,6 +278,7 @@ export function startThrow() {
 export async function completeThrow() {
   await everythingReady();
   find("throw-shape").disabled = false;
+  showPrograms = programBox("throw");
   compute();
   // A race says more than its end, to those who did not ask for stillness.
   if (!wantsStillness() && !find("panel-throw").hidden) launch();
