@@ -51,6 +51,10 @@ let showPrograms = () => {};
 function useGround(name) {
   Object.assign(setup, { ground: name, alpha: 0 }, GROUNDS[name]);
   setup.maxSpin = Math.round((3 * setup.maxSpeed) / setup.radius / 10) * 10;
+}
+
+/** Sliders for the ground. */
+function limitSliders() {
   range("throw-speed", 0, setup.maxSpeed, FINE);
   range("throw-spin", -setup.maxSpin, setup.maxSpin, 1);
   range("throw-radius", setup.radius * 50, setup.radius * 250, setup.radius);
@@ -130,7 +134,11 @@ function bindControls() {
     slider("throw-mu", setup, "mu", { changed }),
     slider("throw-alpha", setup, "alpha", { changed }),
     slider("throw-radius", setup, "radius", { unit: "cm", ...hundredth, changed }),
-    choice("throw-ground", setup, "ground", (key) => (useGround(setup.ground), changed(key))),
+    choice("throw-ground", setup, "ground", (key) => {
+      useGround(setup.ground);
+      limitSliders();
+      changed(key);
+    }),
     choice("throw-shape", setup, "shape", (key) => (setup.shape === "drawn" ? drawShape() : changed(key))),
     choice("throw-pressure", setup, "pressure", changed),
     choice("throw-rate", setup, "rate", () => {}),
@@ -260,9 +268,16 @@ function turn(key, by, most, least = -most) {
   changed(key);
 }
 
-/** Shows the first throw, with the disk's kernel alone. */
-export function startThrow() {
+/** Draws the first throw, with the disk's kernel alone, before the rest of the page is read. */
+export function drawThrow() {
   useGround("carrom");
+  result = race(setup);
+  paint();
+}
+
+/** Shows its numbers and controls. */
+export function startThrow() {
+  limitSliders();
   bindControls();
   bindThrow();
   compute();
