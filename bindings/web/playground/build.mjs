@@ -15,6 +15,9 @@ const PACKED = {
   "powder-data": "data/powder.json",
 };
 
+/** Stands for the size of the page until it is known; has as many digits. */
+const UNKNOWN = 1000000;
+
 let esbuild;
 try {
   esbuild = await import("esbuild");
@@ -41,25 +44,38 @@ const bundle = await esbuild.build({
   logOverride: { "empty-import-meta": "silent" },
 });
 const css = await esbuild.transform(readFileSync(here("style.css"), "utf8"), { loader: "css", minify: true });
+const packs = Object.fromEntries(Object.entries(PACKED).map(([id, path]) => [id, packed(path)]));
 const parts = {
   STYLE: css.code,
   // An end tag inside the script would end it.
   SCRIPT: bundle.outputFiles[0].text.replaceAll("</script", "<\\/script"),
-  DATA: Object.entries(PACKED).map(packed).join("\n"),
+  DATA: Object.entries(packs)
+    .map(([id, bytes]) => `<script type="text/plain" id="${id}">${bytes.toString("base64")}</script>`)
+    .join("\n"),
+  SIZES: JSON.stringify({
+    page: UNKNOWN,
+    disks: bytesOf("../dist/tribos.wasm"),
+    all: bytesOf(PACKED["all-wasm"]),
+    packed: packs["all-wasm"].length,
+  }),
 };
 const template = readFileSync(here("page.html"), "utf8");
 const page = template.replace(
-  /<!--(STYLE|SCRIPT|DATA)-->|\/\*(STYLE|SCRIPT)\*\//g,
+  /<!--(SCRIPT|DATA)-->|\/\*(STYLE|SIZES)\*\//g,
   (_, a, b) => parts[a ?? b],
 );
+const size = Buffer.byteLength(page);
 const target = here("../../../docs/playground.html");
-writeFileSync(target, page);
-console.log(`docs/playground.html  ${(Buffer.byteLength(page) / 1e6).toFixed(2)} MB`);
+writeFileSync(target, page.replace(`"page":${UNKNOWN}`, `"page":${size}`));
+console.log(`docs/playground.html  ${(size / 1e6).toFixed(2)} MB`);
 
-/** A file as text in the page: gzip, then base64. */
-function packed([id, path]) {
-  const bytes = gzipSync(readFileSync(here(path)), { level: 9 });
-  return `<script type="text/plain" id="${id}">${bytes.toString("base64")}</script>`;
+/** A file as the page has it, before base64. */
+function packed(path) {
+  return gzipSync(readFileSync(here(path)), { level: 9 });
+}
+
+function bytesOf(path) {
+  return readFileSync(here(path)).length;
 }
 
 function stop(reason) {

@@ -37,7 +37,7 @@ function run(command) {
   execFileSync(program, words, { cwd: folder, stdio: ["ignore", "ignore", "inherit"] });
 }
 
-/** Curl and spin of a draw under each model: rounded to 0.1 mm. */
+/** Curl and spin of a draw under each model: rounded to 0.01 mm, since the page rounds to 1 mm again. */
 function curling() {
   const command = `tribos sweep curling-draw --set model=${MODELS} --set spin=${SPINS} --out out/curling`;
   run(command);
@@ -48,7 +48,7 @@ function curling() {
   );
   const curves = MODELS.map((model) => {
     const points = rows.filter((row) => row.model === model);
-    return { model, points: points.map(({ spin, curl }) => [Number(spin), Number(Number(curl).toFixed(4))]) };
+    return { model, points: points.map(({ spin, curl }) => [Number(spin), Number(Number(curl).toFixed(5))]) };
   });
   return { command, curves };
 }

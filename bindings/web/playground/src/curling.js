@@ -5,6 +5,8 @@ import { find } from "./controls.js";
 import { unpackedJson } from "./kernel.js";
 import { digits, onLanguage, t } from "./language.js";
 import { axes } from "./modes-draw.js";
+import { programBox } from "./program-box.js";
+import { curlingPrograms } from "./programs.js";
 
 /** Limits of the picture: spin in rad/s, curl in m. */
 const SPINS = [0, 3.05];
@@ -99,6 +101,8 @@ function cell(text) {
 export async function startCurling() {
   ({ curves } = await unpackedJson("curling-data"));
   const paint = painter(find("curling-canvas"), draw);
+  const showPrograms = programBox("curling");
+  const tell = () => showPrograms(curlingPrograms(chosen ? [chosen] : curves.map(({ model }) => model), SHOWN));
   find("curling-rows").addEventListener("click", ({ target }) => {
     if (target.tagName !== "BUTTON") return;
     const name = target.textContent;
@@ -106,8 +110,10 @@ export async function startCurling() {
     for (const button of find("curling-rows").querySelectorAll("button")) {
       button.setAttribute("aria-pressed", button.textContent === chosen);
     }
+    tell();
     paint();
   });
+  tell();
   onLanguage(() => {
     fillTable();
     paint();

@@ -83,20 +83,25 @@ function write(element, text) {
 }
 
 /** Lines of a command break between its words only: browsers would also break behind a hyphen. */
-function keepWords(command) {
-  const words = command.textContent.split(" ").map((word) => {
+export function keepWords(command) {
+  const words = command.textContent.split(/(\s+)/).map((word) => {
+    if (/^\s/.test(word)) return word;
     const span = document.createElement("span");
     span.textContent = word;
     return span;
   });
-  command.replaceChildren(...words.flatMap((word, index) => (index === 0 ? [word] : [" ", word])));
+  command.replaceChildren(...words);
 }
+
+/** Sizes in bytes, in MB as the language writes them. */
+const megabytes = (sizes) =>
+  Object.fromEntries(Object.entries(sizes).map(([name, bytes]) => [name, digits(bytes / 1e6, 2)]));
 
 /** Puts the texts that elements name into them. */
 export function fill(elements) {
   for (const element of elements) {
-    const { t: key, label } = element.dataset;
-    if (key) write(element, t(key));
+    const { t: key, label, sizes } = element.dataset;
+    if (key) write(element, t(key, sizes && megabytes(JSON.parse(sizes))));
     if (label) element.setAttribute("aria-label", t(label));
   }
 }

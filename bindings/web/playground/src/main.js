@@ -7,7 +7,7 @@ import { chooseLanguage, fill, firstLanguage, language, onLanguage, setLanguage 
 import { startModes } from "./modes.js";
 import { startPowder } from "./powder.js";
 import { startSurface } from "./surface.js";
-import { completeThrow, startThrow } from "./throw.js";
+import { completeThrow, drawThrow, startThrow } from "./throw.js";
 import { startWorksheet } from "./worksheet.js";
 
 /** What starts a panel when it is first shown. */
@@ -39,7 +39,7 @@ function showPanel() {
 const textsOf = () => [...document.querySelectorAll("[data-t], [data-label]")];
 
 /** What is seen around the first picture. Other texts come after it: their layout would delay it. */
-const FIRST = "header, nav, #panel-throw > :is(h2, .intro, .split)";
+const FIRST = "header, nav, #panel-throw";
 
 /** Panels come after the first draw: the browser paints between. */
 const painted = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
@@ -54,11 +54,12 @@ async function start() {
       find(`language-${name}`).setAttribute("aria-pressed", language() === name);
   });
   startDisks();
-  startThrow();
+  drawThrow();
   performance.mark("first-draw");
-  await painted();
-  // The other panels follow the script.
+  // The other parts follow the script.
   await pageRead();
+  await painted();
+  startThrow();
   fill(textsOf().filter((element) => !first.has(element)));
   addEventListener("hashchange", showPanel);
   showPanel();

@@ -5,6 +5,8 @@ import { choice, find, slider } from "./controls.js";
 import { everythingReady, kernel } from "./kernel.js";
 import { digits, onLanguage, t } from "./language.js";
 import { drawMap, drawRuns, mapPlace, RANGES } from "./modes-draw.js";
+import { programBox } from "./program-box.js";
+import { modesPrograms } from "./programs.js";
 import { rowOf } from "./modes-row.js";
 
 /** Rows of the diagram. */
@@ -29,6 +31,7 @@ let runs = [];
 let modes;
 let paints = [];
 let controls = [];
+let showPrograms;
 
 /** A patch of radius 1 under the law |v|^α. */
 function patch(alpha) {
@@ -76,6 +79,7 @@ function changed(key) {
   if (key === "pressure") computeMap();
   for (const show of controls) show();
   find("modes-say").textContent = `${endInWords()} ${intervalInWords()}`;
+  showPrograms(modesPrograms(state));
   for (const paint of paints) paint();
 }
 
@@ -118,6 +122,7 @@ function bindMap(canvas) {
 export async function startModes() {
   await everythingReady();
   computeRuns();
+  showPrograms = programBox("modes");
   paints = [
     painter(find("modes-map"), (context, width, height) =>
       drawMap(context, width, height, { map, state, count: ROWS }),

@@ -4,12 +4,16 @@ import { painter, palette, polyline, wantsStillness } from "./canvas.js";
 import { find } from "./controls.js";
 import { unpackedJson } from "./kernel.js";
 import { digits, onLanguage, t } from "./language.js";
+import { programBox } from "./program-box.js";
+import { powderPrograms } from "./programs.js";
 
 /** Width of the cell, and height of the view, in radii. */
 const WIDTH = 20;
 const HEIGHT = 63;
 /** Duration of the film in s. */
 const FILM = 8;
+/** A run lasts longer than no time. */
+const EARLIEST = 1e-3;
 /** The picture looks down by this slope: depth raises what is behind. */
 const SLOPE = 0.22;
 
@@ -22,6 +26,7 @@ let corners = [];
 let share = 0;
 let playing = 0;
 let paints = [];
+let showPrograms;
 
 /** Positions of all frames, in radii. */
 function decoded({ fine, corners: packed }) {
@@ -118,9 +123,13 @@ function show() {
   tell("off");
 }
 
+/** Time to be run to: nothing for the end. */
+const shownTime = () => (share < 1 ? Math.max(share * duration(), EARLIEST) : undefined);
+
 /** The time shown in words; read aloud ("polite") once the film is over or the slider is let go. */
 function tell(aloud) {
   find("powder-say").setAttribute("aria-live", aloud);
+  if (aloud !== "off") showPrograms(powderPrograms(shownTime()));
   const names = Object.fromEntries(
     corners.map((corner, index) => [
       `p${index}`,
@@ -159,6 +168,8 @@ function stopped() {
 export async function startPowder() {
   corners = decoded(await unpackedJson("powder-data"));
   share = 1;
+  showPrograms = programBox("powder");
+  showPrograms(powderPrograms());
   paints = corners.map((corner, index) =>
     painter(find(`powder-${index}`), (context, width, height) => drawCorner(context, width, height, corner)),
   );

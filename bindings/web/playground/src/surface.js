@@ -7,6 +7,8 @@ import { everythingReady } from "./kernel.js";
 import { digits, onLanguage, t } from "./language.js";
 import { startDrawing } from "./outline.js";
 import { drawPlan, drawSection, planView } from "./plan.js";
+import { programBox } from "./program-box.js";
+import { surfacePrograms } from "./programs.js";
 import { centreOf, circleContactAt, contactAt, motionCone, rimOf, wrenchAt } from "./push.js";
 import { drawSolid, meshOf, picked, viewOf } from "./solid.js";
 
@@ -45,6 +47,7 @@ let free = null;
 let stopDrawing;
 let paints = [];
 let controls = [];
+let showPrograms;
 
 /** The push: at the contact, or the one that was picked on the surface. */
 const outlineAt = (part) => (isRound ? circleContactAt(part) : contactAt(rim, part));
@@ -52,10 +55,15 @@ const contactOf = () => (free === null ? outlineAt(state.part) : null);
 const pushOf = () => free ?? wrenchAt(contactOf(), state.angle);
 const row = ({ fx, fy, torque }) => [fx, fy, torque];
 
+/** The body that is chosen: a pressure is one under a puck. */
+function bodyOf() {
+  const isPressure = PRESSURES.includes(state.shape);
+  return isPressure ? { ...state, shape: "puck", pressure: state.shape } : state;
+}
+
 function makeSurface() {
   friction?.free();
-  const isPressure = PRESSURES.includes(state.shape);
-  const body = isPressure ? { ...state, shape: "puck", pressure: state.shape } : state;
+  const body = bodyOf();
   friction = frictionOf(body);
   const exact = friction.limitSurface(1);
   models = { exact, ellipsoid: exact.ellipsoid(), separate: exact.separate() };
@@ -109,6 +117,7 @@ function bindPaints() {
 /** Numbers of the motion under each model, and the motion in words. */
 function tell() {
   const push = pushOf();
+  showPrograms(surfacePrograms(bodyOf(), models.exact.scaleToSurface(push)));
   for (const model of MODELS) {
     const on = models[model].scaleToSurface(push);
     const motion = models[model].normal(push);
@@ -240,6 +249,7 @@ function bindPlan(canvas) {
 export async function startSurface() {
   await everythingReady();
   makeSurface();
+  showPrograms = programBox("surface");
   bindPaints();
   controls = [
     slider("surface-part", state, "part", {

@@ -6,6 +6,8 @@ import { choice, find, range, slider } from "./controls.js";
 import { canPlay, judged, newTarget } from "./game.js";
 import { everythingReady, isComplete } from "./kernel.js";
 import { onNewLanguage, t } from "./language.js";
+import { programBox } from "./program-box.js";
+import { throwPrograms } from "./programs.js";
 import { durationOf, moves, race } from "./race.js";
 import { startDrawing } from "./outline.js";
 import { drawStage, fitted } from "./stage.js";
@@ -43,11 +45,16 @@ let isAnswer = false;
 let shows = [];
 let playing = 0;
 let summary = () => "";
+let showPrograms = () => {};
 
 /** Chooses what the bodies slide on, with the usual throw there. */
 function useGround(name) {
   Object.assign(setup, { ground: name, alpha: 0 }, GROUNDS[name]);
   setup.maxSpin = Math.round((3 * setup.maxSpeed) / setup.radius / 10) * 10;
+}
+
+/** Sliders for the ground. */
+function limitSliders() {
   range("throw-speed", 0, setup.maxSpeed, FINE);
   range("throw-spin", -setup.maxSpin, setup.maxSpin, 1);
   range("throw-radius", setup.radius * 50, setup.radius * 250, setup.radius);
@@ -97,6 +104,7 @@ function compute() {
   find("game-start").disabled = !canPlay(setup);
   tabulate();
   for (const show of shows) show();
+  showPrograms(throwPrograms(setup));
   paint();
 }
 
@@ -126,7 +134,11 @@ function bindControls() {
     slider("throw-mu", setup, "mu", { changed }),
     slider("throw-alpha", setup, "alpha", { changed }),
     slider("throw-radius", setup, "radius", { unit: "cm", ...hundredth, changed }),
-    choice("throw-ground", setup, "ground", (key) => (useGround(setup.ground), changed(key))),
+    choice("throw-ground", setup, "ground", (key) => {
+      useGround(setup.ground);
+      limitSliders();
+      changed(key);
+    }),
     choice("throw-shape", setup, "shape", (key) => (setup.shape === "drawn" ? drawShape() : changed(key))),
     choice("throw-pressure", setup, "pressure", changed),
     choice("throw-rate", setup, "rate", () => {}),
@@ -256,9 +268,16 @@ function turn(key, by, most, least = -most) {
   changed(key);
 }
 
-/** Shows the first throw, with the disk's kernel alone. */
-export function startThrow() {
+/** Draws the first throw, with the disk's kernel alone, before the rest of the page is read. */
+export function drawThrow() {
   useGround("carrom");
+  result = race(setup);
+  paint();
+}
+
+/** Shows its numbers and controls. */
+export function startThrow() {
+  limitSliders();
   bindControls();
   bindThrow();
   compute();
@@ -274,6 +293,7 @@ export function startThrow() {
 export async function completeThrow() {
   await everythingReady();
   find("throw-shape").disabled = false;
+  showPrograms = programBox("throw");
   compute();
   // A race says more than its end, to those who did not ask for stillness.
   if (!wantsStillness() && !find("panel-throw").hidden) launch();

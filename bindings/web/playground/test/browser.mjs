@@ -43,9 +43,9 @@ export function launch() {
   return puppeteer.launch({ executablePath: browserPath, args: OPTIONS });
 }
 
-/** A test that needs the browser. */
-export function inBrowser(name, run) {
-  const skip = process.env.TRIBOS_REQUIRE_TARGETS === undefined && missing;
+/** A test that needs the browser, and perhaps something else that may be missing. */
+export function inBrowser(name, run, lacks = false) {
+  const skip = lacks || (process.env.TRIBOS_REQUIRE_TARGETS === undefined && missing);
   test(name, { skip }, async () => {
     const browser = await launch();
     try {
@@ -55,6 +55,18 @@ export function inBrowser(name, run) {
     }
   });
 }
+
+/** Sets a control; returns what it then has. */
+export const setValue = (page, id, value) =>
+  page.$eval(
+    `#${id}`,
+    (input, wanted) => {
+      input.value = wanted;
+      input.dispatchEvent(new Event(input.tagName === "SELECT" ? "change" : "input"));
+      return input.value;
+    },
+    String(value),
+  );
 
 /** The page at an address, complete; `errors` collects what goes wrong in it. */
 export async function open(

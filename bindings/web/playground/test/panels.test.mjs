@@ -1,10 +1,10 @@
 // Every panel in both languages, light and dark, wide and on a phone.
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readFileSync, statSync } from "node:fs";
 import { test } from "node:test";
 import "../../test/built.mjs";
-import { PHONE, WIDE, checkerPath, inBrowser, open } from "./browser.mjs";
+import { PAGE, PHONE, WIDE, checkerPath, inBrowser, open, setValue } from "./browser.mjs";
 import de from "../text/de.js";
 import en from "../text/en.js";
 import { rowOf } from "../src/modes-row.js";
@@ -136,17 +136,8 @@ inBrowser(
     await page.focus("#modes-map");
     await page.keyboard.press("ArrowRight");
     assert.doesNotMatch(await text("modes-say"), /0\.653/);
-    const set = (id, value) =>
-      page.$eval(
-        `#${id}`,
-        (input, wanted) => {
-          input.value = wanted;
-          input.dispatchEvent(new Event("input"));
-        },
-        value,
-      );
-    await set("modes-inertia", "0.5");
-    await set("modes-alpha", "1");
+    await setValue(page, "modes-inertia", "0.5");
+    await setValue(page, "modes-alpha", "1");
     assert.match(await text("modes-say"), /^Every ratio stays as thrown/);
     await show(page, "powder");
     assert.match(await text("powder-say"), /66\.3\s%.*73\.8\s%.*82\.7\s%.*89\.4\s%/);
@@ -246,13 +237,49 @@ inBrowser("paper has dark letters, also where the screen has light ones", async 
   assert.ok(share < 0.01, `${100 * share} % of the canvas is dark`);
 });
 
-inBrowser("every command of the page is printed in the book, where a test runs it", async (browser) => {
+inBrowser("the commands of the page that no slider changes are printed in the book, where a test runs them", async (browser) => {
   const { page } = await open(browser);
-  const commands = await page.$$eval("pre code", (codes) => codes.map((code) => code.textContent));
+  const commands = await page.$$eval(":not(.programs) > pre code", (codes) => codes.map((code) => code.textContent));
   const book = ["teaching", "pushing", "runs"].map((name) =>
     readFileSync(new URL(`../../../../docs/${name}.md`, import.meta.url), "utf8"),
   );
   const words = book.join("\n").replace(/\\\n\s*/g, "");
-  assert.ok(commands.length >= 9);
+  assert.equal(commands.length, 6);
   for (const command of commands) assert.ok(words.includes(command), command);
+});
+
+inBrowser("programs follow the sliders and are copied, with the clipboard or without", async (browser) => {
+  const { page, errors } = await open(browser, { motion: "reduce" });
+  await page.evaluate(() => {
+    globalThis.copied = [];
+    const keep = (text) => globalThis.copied.push(text);
+    Object.defineProperty(navigator, "clipboard", { value: { writeText: keep }, configurable: true });
+    addEventListener("copy", (event) => setTimeout(keep, 0, event.clipboardData.getData("text/plain")));
+  });
+  await setValue(page, "throw-spin", 42);
+  const programs = await page.$$eval("#panel-throw .programs code", (codes) =>
+    codes.map((code) => code.textContent),
+  );
+  for (const program of programs) assert.match(program, /\b42\b/);
+  const buttons = await page.$$("#panel-throw .programs button");
+  for (const button of buttons) await button.click();
+  await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { value: undefined }));
+  for (const button of buttons) await button.click();
+  await page.waitForFunction(() => globalThis.copied.length === 4);
+  assert.deepEqual(await page.evaluate(() => globalThis.copied), [...programs, ...programs]);
+  const said = await page.$$eval("#panel-throw .programs [role=status]", (spans) =>
+    spans.map((span) => span.textContent),
+  );
+  assert.deepEqual(said, [en.copied, en.copied]);
+  assert.deepEqual(errors, []);
+});
+
+inBrowser("the page says its size in both languages", async (browser) => {
+  const { size } = statSync(new URL(PAGE));
+  for (const [language, point] of Object.entries({ en: ".", de: "," })) {
+    const { page } = await open(browser, { language });
+    const said = await page.$eval("footer", (footer) => footer.textContent);
+    assert.ok(said.includes(`${(size / 1e6).toFixed(2).replace(".", point)}\u00a0MB`), said);
+    await page.close();
+  }
 });

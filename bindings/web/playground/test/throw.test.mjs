@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import "../../test/built.mjs";
-import { inBrowser, open } from "./browser.mjs";
+import { inBrowser, open, setValue } from "./browser.mjs";
 import * as kernel from "../../all.js";
 
 await kernel.init();
@@ -19,17 +19,6 @@ const bitsOfRow = (page, model) =>
   page.$$eval(`#row-${model} td`, (cells) => cells.map((cell) => cell.dataset.bits));
 
 const distanceOf = (page, model) => page.$eval(`#row-${model} td`, (cell) => Number(cell.textContent));
-
-const setValue = (page, id, value) =>
-  page.$eval(
-    `#${id}`,
-    (input, wanted) => {
-      input.value = wanted;
-      input.dispatchEvent(new Event(input.tagName === "SELECT" ? "change" : "input"));
-      return input.value;
-    },
-    String(value),
-  );
 
 /** What the first throw of the page is, in Node. */
 function firstThrow(model, direction) {

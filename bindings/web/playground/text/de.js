@@ -13,9 +13,13 @@ export default {
   navCurling: "Curling",
   navPowder: "Pulver",
   navWorksheet: "Arbeitsblatt",
-  footer: "<p>Tribos ist eine Bibliothek in Rust, mit Kommandozeile und Anbindungen an andere Sprachen, für die trockene Reibung fester Körper, die zugleich gleiten, sich drehen und rollen.</p><p>In einem Klon von Tribos liegt diese Seite im Ordner docs, und diese Verweise führen weiter (auf Englisch): <a href=\"../README.md\">was Tribos ist</a>, <a href=\"index.md\">das Buch</a>, <a href=\"web.md\">Einsatz in Webseiten und Node</a>, <a href=\"games.md\">Einsatz in Spielen</a>. Lizenz: MIT oder Apache-2.0.</p><p>Würfe, Grenzflächen und Endbewegungen berechnet in dieser Seite der Reibungskern von Tribos als WebAssembly, auf jedem Rechner bitgleich. Curling und Pulver sind aufgezeichnet: Tribos hat sie vorher berechnet. Nichts wird gesendet oder nachgeladen.</p>",
-  commandTitle: "Auf der Kommandozeile",
-  install: "Den Befehl einmal installieren, in einem Klon von Tribos: <code>cargo install --path cli</code>",
+  footer: "<p>Tribos ist eine Bibliothek in Rust, mit Kommandozeile und Anbindungen an andere Sprachen, für die trockene Reibung fester Körper, die zugleich gleiten, sich drehen und rollen.</p><p>In einem Klon von Tribos liegt diese Seite im Ordner docs, und diese Verweise führen weiter (auf Englisch): <a href=\"../README.md\">was Tribos ist</a>, <a href=\"index.md\">das Buch</a>, <a href=\"web.md\">Einsatz in Webseiten und Node</a>, <a href=\"games.md\">Einsatz in Spielen</a>. Lizenz: MIT oder Apache-2.0.</p><p>Würfe, Grenzflächen und Endbewegungen berechnet in dieser Seite der Reibungskern von Tribos als WebAssembly, auf jedem Rechner bitgleich. Curling und Pulver sind aufgezeichnet: Tribos hat sie vorher berechnet. Nichts wird gesendet oder nachgeladen. Diese Seite ist eine Datei von {page}\u00a0MB. Ihr Kern hat {disks}\u00a0MB für den ersten Wurf und {all}\u00a0MB, gepackt {packed}\u00a0MB, für alles.</p>",
+  commandTitle: "Auf der Kommandozeile und in Python",
+  install: "Einmal installieren, in einem Klon von Tribos: den Befehl mit <code>cargo install --path cli</code>, das Paket für Python mit <code>pip install ./bindings/python</code>.",
+  copy_shell: "Befehl kopieren",
+  copy_python: "Programm kopieren",
+  copied: "Kopiert.",
+  selected: "Ausgewählt: jetzt Strg+C drücken.",
 
   throwTitle: "Ein Puck, der sich dreht, gleitet weiter",
   throwIntro: "Die Reibung an einem Körper, der gleitet und sich dreht, wirkt an jeder Stelle der Unterseite gegen die Bewegung dieser Stelle. Bei schneller Drehung zeigen die meisten dieser kleinen Kräfte zur Seite und heben sich auf, sodass wenig bleibt, was das Gleiten bremst. Werfen Sie etwas: Das exakte Gesetz tritt gegen die zwei Abkürzungen an, die Physik-Engines nehmen.",
@@ -85,7 +89,8 @@ export default {
   missed: "Um {miss} cm und {off}° verfehlt, {points} Punkte. {count} Würfe treffen genau, alle unter {direction}°. Der mit der kleinsten Energie hat {speed} m/s und eine Drehung von {spin} rad/s, der mit der schnellsten Drehung {speed2} m/s und {spin2} rad/s: Mit getrennten Grenzen bliebe er {short} cm zu früh liegen.",
   throwWhy: "<h3>Warum sich Engines unterscheiden</h3><p>„Getrennte Grenzen“ ist der Kontakt mit einer Reibungsgrenze für das Gleiten und einer weiteren für die Drehung, wie ihn viele Engines haben: Dort merkt das Gleiten nichts von der Drehung, und der Körper bleibt zu früh liegen. „Ellipsoid“ lässt beide aus einem gemeinsamen Vorrat von elliptischer Form schöpfen: näher daran, aber noch falsch. „Exakt“ summiert die Reibung aller Stellen der Unterseite. Die vergrößerte Unterseite rechts zeigt die Reibung an jeder Stelle (kleine Pfeile) und die Summe, die das Gleiten bremst (dicker Pfeil, ohne Drehung so lang wie der Radius). Auf dem Feld sind die dicken Pfeile Reibungskraft und Reibungsmoment; ein Kreuz zeigt den Ort der Ruhe.</p>",
   throwFormula: "<h3>Die Formel</h3><p class=\"math\"><span>F = −μ ∫ p(r) (v + ω × r)/|v + ω × r| dA</span><br><span>T = −μ ∫ p(r) r × (v + ω × r)/|v + ω × r| dA</span></p><p>F ist die Kraft und T das Moment der Reibung, μ der Reibungskoeffizient, p der Druck an der Stelle r, v die Geschwindigkeit der Mitte und ω die Winkelgeschwindigkeit. Mit einem Exponenten α zählt jede Stelle außerdem mit ihrer Geschwindigkeit, bezogen auf 1\u00a0m/s, hoch α. Für runde Unterseiten haben die Integrale geschlossene Formen, mit denen diese Seite rechnet.</p>",
-  throwCommand: "<pre><code>tribos run disk --out out/fast --set spin=50</code></pre><pre><code>tribos inverse --x 1.2 --y 0.3 --angle 90deg --coefficient 0.3 --radius 0.08 --inertia-ratio 0.5 --max-speed 3 --max-spin 100</code></pre><p>Der zweite Befehl findet wie das Spiel jeden Wurf, der an einem bestimmten Ort mit bestimmtem Winkel endet.</p>",
+  throwPrograms: "Beide berechnen die Zeile „Exakt“ des jetzigen Wurfs: Weg in m, Zeit in s und Winkel in rad, 2π für jede Umdrehung.",
+  throwCommand: "<p>Jeder Wurf, der an einer Stelle mit einem Winkel endet, wie ihn das Spiel findet:</p><pre><code>tribos inverse --x 1.2 --y 0.3 --angle 90deg --coefficient 0.3 --radius 0.08 --inertia-ratio 0.5 --max-speed 3 --max-spin 100</code></pre>",
 
   surfaceTitle: "Alles, was Reibung halten kann: die Grenzfläche",
   surfaceIntro: "Schieben Sie ein Buch über den Tisch: Ein schwacher Stoß bewirkt nichts, und welcher gerade reicht, hängt von seiner Kraft und seinem Drehmoment ab. Zeichnet man jeden gerade ausreichenden Stoß als Punkt, die Kraft zur Seite und das Moment nach oben, so bilden sie eine geschlossene Fläche: Innerhalb bleibt der Körper liegen, auf ihr gleitet er. Die Bewegung ist der Pfeil, der senkrecht auf der Fläche steht; ihre Form entscheidet also, wie sich ein geschobener Körper dreht.",
@@ -107,6 +112,7 @@ export default {
   surfaceHelp: "Ein Druck auf die Fläche stößt mit dieser Kraft und diesem Moment, einer auf den Umriss des Körpers stößt dort. Die farbigen Pfeile an der Fläche sind die Bewegung nach jedem Modell. Von oben gesehen ist der dicke Pfeil der Stoß, blau die Bewegung des gestoßenen Punkts, grün sind die Ränder des Bewegungskegels: Dazwischen kann ein Finger mit Reibung den Punkt überallhin bewegen, ohne abzurutschen. Darunter ist der Schnitt der Fläche durch den Stoß: Kraft F gegen Moment T.",
   surfaceKeys: "Ziehen Sie an der Fläche, oder drücken Sie dort die Pfeiltasten, um sie von anderswo zu sehen.",
   surfaceFormula: "<h3>Die Formel</h3><p class=\"math\"><span>F · v + T ω ≤ D(v, ω) = μ ∫ p(r) |v + ω × r| dA</span> <span>für jede Bewegung (v, ω)</span></p><p>Eine Kraft F mit einem Moment T wird gehalten, wenn keine Bewegung ihr mehr Leistung entnimmt, als die Reibung verbraucht, D. Die Bewegungen, für die beide gleich sind, stehen senkrecht auf der Fläche. Das Ellipsoid eines runden Körpers ist ebenso breit und hoch, dazwischen aber zu voll; der Zylinder der getrennten Grenzen ist noch voller. Unter demselben Stoß gibt das Ellipsoid einer gleichmäßigen Scheibe zwischen 9/16 der wahren Drehung (der Stoß dreht sie kaum) und 3/2 davon (der Stoß verschiebt sie kaum).</p>",
+  surfacePrograms: "Beide berechnen die Zeile „Exakt“ für den jetzigen Stoß an einem Körper mit Radius 1 unter der Last 1 mit μ = 1. Der Befehl gibt diesen Stoß aus, seinen Anteil an dem, was die Reibung hält (gauge: 1), und die Bewegung.",
   surfaceCommand: "<pre><code>tribos surface --patch box:0.3x0.2 --coefficient 0.4 --load 20 --picture box.svg --page box.html</code></pre><pre><code>tribos push push-box --output box.csv --picture box.svg</code></pre>",
 
   modesTitle: "Kurz vor der Ruhe: Welche Bewegung bleibt zuletzt?",
@@ -135,7 +141,7 @@ export default {
   intervalNeutral: "Bei diesem Druck und Exponenten bleibt zuletzt das Gleiten für C unter {low}, die Drehung für C über {high}; bei C = {low} bleibt jedes Verhältnis.",
   intervalDepends: "Bei diesem Druck und Exponenten hängt es vom Wurf ab für C zwischen {low} und {high}.",
   modesFormula: "<h3>Die Formel</h3><p class=\"math\"><span>dv/dt = −κ F(v, w),</span> <span>dw/dt = −κ T(v, w)/C,</span> <span>w = ωR</span></p><p>F und T sind Kraft und Moment der Reibung je Last, κ = μ g. Das Verhältnis ε = v/w bleibt, wo beide Geschwindigkeiten gleich schnell schrumpfen, F/v = T/(C w), also bei C = ε T/F. Für eine gleichmäßige Scheibe mit trockener Reibung, C = 1/2, ist das ε = 0,653.</p>",
-  modesCommand: "<pre><code>tribos modes --alpha 0 --inertia-ratio 0.5</code></pre><pre><code>tribos modes --alpha 0 --inertia-ratio 0.5 --diagram diagram.svg</code></pre>",
+  modesPrograms: "Beide berechnen das Ende des jetzigen Körpers und das Intervall des Trägheitsverhältnisses; der Befehl zeichnet auch das Diagramm.",
 
   curlingTitle: "Curling: Noch weiß niemand, warum der Stein abbiegt",
   curlingIntro: "Ein Curlingstein, der sich gegen den Uhrzeigersinn dreht, weicht auf seinen 28 Metern etwa einen Meter nach links ab, ein umgedrehtes Glas auf dem Tisch dagegen nach rechts. Wie weit, hängt im beobachteten Bereich von 0,3 bis 1,4 rad/s kaum davon ab, wie schnell der Stein sich dreht, und das muss ein Modell erklären. Die Kurven sind die Antworten von sieben Modellen auf denselben Wurf: Keine stimmt mit allen Beobachtungen überein.",
@@ -153,7 +159,8 @@ export default {
   "verdict_pivot-slide": "Der Stein schwenkt um Stellen, die haften: die richtige Größe bei langsamer Drehung, danach fällt sie.",
   "verdict_scratch-guide": "Kratzer im Eis führen das Laufband: Größe und Verlauf richtig, beide aber von Hand eingesetzt.",
   curlingFormula: "<h3>Die Formel</h3><p class=\"math\"><span>f(r) = −γ p(r) |u|<sup>α−1</sup> u,</span> <span>u = v + ω × r,</span> <span>γ = 0,008, α = −1/2 auf Eis</span></p><p>Jede Stelle r des Laufbands widersteht entlang ihrer eigenen Geschwindigkeit u. Sind Druck und Eis vorn und hinten gleich, so heben sich die Seitenkräfte beider Hälften genau auf, bei jedem Reibungsgesetz: Damit ein Stein abbiegt, muss etwas vorn von hinten unterscheiden.</p>",
-  curlingCommand: "<pre><code>tribos run curling-draw --out out/other --set model=pivot-slide</code></pre><p>Alle Kurven des Bildes sind von diesem Befehl:</p><pre><code>tribos sweep curling-draw --set model=dry,left-right,front-back,back-heavy,film,pivot-slide,scratch-guide --set spin=0.25:3:0.25 --out out/curling</code></pre>",
+  curlingPrograms: "Beide berechnen die Zahlen der Tabelle, und zwar die des gewählten Modells, wenn eines gewählt ist.",
+  curlingCommand: "<p>Alle Kurven des Bildes sind von diesem Befehl:</p><pre><code>tribos sweep curling-draw --set model=dry,left-right,front-back,back-heavy,film,pivot-slide,scratch-guide --set spin=0.25:3:0.25 --out out/curling</code></pre>",
 
   powderTitle: "Pulver: Warum feiner Staub locker bleibt",
   powderIntro: "Vier aufgezeichnete Rechnungen: Etwa 480 klebrige Kugeln werden von einem Kolben zusammengedrückt, bis sich nichts mehr bewegt. Wie viel leerer Raum bleibt, hängt davon ab, wogegen sich ihre Kontakte wehren: nur gegen Gleiten, oder auch gegen Drehen um den Kontakt (Torsion) oder gegen Rollen. Mit Rollreibung halten dünne Ketten von Kugeln dem Kolben stand, sodass vier Fünftel und mehr leer bleiben.",
@@ -168,6 +175,7 @@ export default {
   powderTime: "{percent}\u00a0% des Films",
   powderSay: "Leerer Raum zur gezeigten Zeit: {p0}\u00a0% nur mit Gleitreibung, {p1}\u00a0% mit Torsion, {p2}\u00a0% mit Rollreibung, {p3}\u00a0% mit beiden.",
   powderFormula: "<h3>Die Formel</h3><p class=\"math\"><span>|F| ≤ μ P,</span> <span>|T<sub>Rollen</sub>| ≤ μ<sub>r</sub> P r,</span> <span>|T<sub>Torsion</sub>| ≤ μ<sub>n</sub> P r</span></p><p>P ist die Kraft, die einen Kontakt zusammendrückt, Kohäsion eingeschlossen, F seine Reibungskraft, T seine Momente, und r der halbe Radius der gleichen Kugeln. Hier ist μ = 0,3; Rollen und Torsion haben den Koeffizienten 0 oder 1. Jeder Zeitschritt bestimmt die Kräfte aller Kontakte gemeinsam.</p>",
+  powderPrograms: "Beide berechnen den leeren Raum aller vier Pulver zur Zeit des Reglers. Sie brauchen etwa eine Minute.",
   powderCommand: "<p>Einer der vier; die anderen haben 0 statt einer 1:</p><pre><code>tribos run compaction-small --set mu_rolling=1 --set mu_torsion=1 --frames 40 --out out/powder-11</code></pre><pre><code>tribos view out/powder-11</code></pre>",
 
   worksheetTitle: "Arbeitsblatt: fünf Experimente",

@@ -13,9 +13,13 @@ export default {
   navCurling: "Curling",
   navPowder: "Powder",
   navWorksheet: "Worksheet",
-  footer: "<p>Tribos is a library in Rust, with a command line and bindings for other languages, that computes the dry friction of solid bodies which slide, spin and roll at once.</p><p>In a clone of Tribos this page lies in the folder docs, and these links lead on: <a href=\"../README.md\">what Tribos is</a>, <a href=\"index.md\">the book</a>, <a href=\"web.md\">use in a web page or Node</a>, <a href=\"games.md\">use in a game</a>. Licence: MIT or Apache-2.0.</p><p>Throws, limit surfaces and final motions are computed in this page by the Tribos friction kernel as WebAssembly, to the same bits as on any other machine. Curling and powder are recorded: Tribos computed them before. Nothing is sent or loaded.</p>",
-  commandTitle: "From the command line",
-  install: "To install the command, once, in a clone of Tribos: <code>cargo install --path cli</code>",
+  footer: "<p>Tribos is a library in Rust, with a command line and bindings for other languages, that computes the dry friction of solid bodies which slide, spin and roll at once.</p><p>In a clone of Tribos this page lies in the folder docs, and these links lead on: <a href=\"../README.md\">what Tribos is</a>, <a href=\"index.md\">the book</a>, <a href=\"web.md\">use in a web page or Node</a>, <a href=\"games.md\">use in a game</a>. Licence: MIT or Apache-2.0.</p><p>Throws, limit surfaces and final motions are computed in this page by the Tribos friction kernel as WebAssembly, to the same bits as on any other machine. Curling and powder are recorded: Tribos computed them before. Nothing is sent or loaded. This page is one file of {page}\u00a0MB. Its kernel has {disks}\u00a0MB for the first throw and {all}\u00a0MB, packed {packed}\u00a0MB, for everything.</p>",
+  commandTitle: "From the command line and in Python",
+  install: "To install them, once, in a clone of Tribos: <code>cargo install --path cli</code> for the command, <code>pip install ./bindings/python</code> for Python.",
+  copy_shell: "Copy the command",
+  copy_python: "Copy the program",
+  copied: "Copied.",
+  selected: "Selected: now press Ctrl+C.",
 
   throwTitle: "A puck that spins slides farther",
   throwIntro: "Friction on a body that slides and spins points, at each spot of its base, against the motion of that spot. A fast spin turns most of these small forces sideways, where they cancel, so that little is left to brake the slide. Throw something: the exact law races against the two shortcuts that physics engines take.",
@@ -85,7 +89,8 @@ export default {
   missed: "Missed by {miss} cm and {off}°, {points} points. {count} throws hit exactly, all at {direction}°. The one of least energy has {speed} m/s and a spin of {spin} rad/s; the one of most spin has {speed2} m/s and {spin2} rad/s: with separate limits it would stop {short} cm short.",
   throwWhy: "<h3>Why engines differ</h3><p>“Separate limits” is the contact with one friction limit for sliding and another for spin, as many engines have it: there the slide does not notice the spin, and the body stops short. “Ellipsoid” lets both share one budget of elliptic shape: closer, still wrong. “Exact” adds up the friction of every spot of the base. The magnified base at the right shows friction at each spot (small arrows) and the sum that brakes the slide (thick arrow, as long as the radius without spin). On the field the thick arrows are force and torque of friction; a cross marks the place of rest.</p>",
   throwFormula: "<h3>The formula</h3><p class=\"math\"><span>F = −μ ∫ p(r) (v + ω × r)/|v + ω × r| dA</span><br><span>T = −μ ∫ p(r) r × (v + ω × r)/|v + ω × r| dA</span></p><p>F is the force and T the torque of friction, μ the coefficient, p the pressure at the spot r, v the velocity of the centre and ω the spin. With an exponent α each spot is also weighted with its speed, relative to 1\u00a0m/s, to the power α. For round bases the integrals have closed forms, which this page uses.</p>",
-  throwCommand: "<pre><code>tribos run disk --out out/fast --set spin=50</code></pre><pre><code>tribos inverse --x 1.2 --y 0.3 --angle 90deg --coefficient 0.3 --radius 0.08 --inertia-ratio 0.5 --max-speed 3 --max-spin 100</code></pre><p>The second one finds every throw that ends at a pose, as the game does.</p>",
+  throwPrograms: "Both compute the row “Exact” of the present throw: distance in m, time in s, and angle in rad, 2π for each turn.",
+  throwCommand: "<p>Every throw that ends at a pose, as the game finds it:</p><pre><code>tribos inverse --x 1.2 --y 0.3 --angle 90deg --coefficient 0.3 --radius 0.08 --inertia-ratio 0.5 --max-speed 3 --max-spin 100</code></pre>",
 
   surfaceTitle: "All that friction can hold: the limit surface",
   surfaceIntro: "Push a book on a table: a weak push does nothing, and which push is just enough depends on its force and on its twist. Draw each of these just-enough pushes as a point with the force to the sides and the torque upwards, and they form a closed surface: inside it the body stays, on it the body slides. The motion is the arrow that stands at right angles on the surface, so the shape of the surface decides how a pushed body turns.",
@@ -107,6 +112,7 @@ export default {
   surfaceHelp: "Press on the surface to push with that force and torque, or on the outline of the body to push there. On the surface, coloured arrows are the motion under each model. On the plan the thick arrow is the push, blue the motion of the pushed point, green the edges of the motion cone: a finger with friction can move the point anywhere between them without slipping. Below the plan is the section of the surface through the push: force F against torque T.",
   surfaceKeys: "Drag the surface, or use the arrow keys on it, to look from elsewhere.",
   surfaceFormula: "<h3>The formula</h3><p class=\"math\"><span>F · v + T ω ≤ D(v, ω) = μ ∫ p(r) |v + ω × r| dA</span> <span>for every motion (v, ω)</span></p><p>A force F with a torque T can be held if no motion takes more power from it than friction, D, consumes. The motions for which both are equal stand at right angles on the surface. The ellipsoid of a round body has the same width and height but is too full between; the cylinder of separate limits is fuller still. Under the same push the ellipsoid gives a uniform disk between 9/16 of its true spin (the push hardly turns it) and 3/2 of it (the push hardly slides it).</p>",
+  surfacePrograms: "Both compute the row “Exact” for the present push on a body of radius 1 under the load 1 with μ = 1. The command prints this push, its share of what friction holds (gauge: 1), and the motion.",
   surfaceCommand: "<pre><code>tribos surface --patch box:0.3x0.2 --coefficient 0.4 --load 20 --picture box.svg --page box.html</code></pre><pre><code>tribos push push-box --output box.csv --picture box.svg</code></pre>",
 
   modesTitle: "Just before rest: which motion is last?",
@@ -135,7 +141,7 @@ export default {
   intervalNeutral: "With this pressure and exponent sliding is last for C below {low}, spinning for C above {high}; at C = {low} every ratio stays.",
   intervalDepends: "With this pressure and exponent it depends on the throw for C between {low} and {high}.",
   modesFormula: "<h3>The formula</h3><p class=\"math\"><span>dv/dt = −κ F(v, w),</span> <span>dw/dt = −κ T(v, w)/C,</span> <span>w = ωR</span></p><p>F and T are force and torque of friction per load, κ = μ g. The ratio ε = v/w stays where both speeds shrink at the same rate, F/v = T/(C w): that is, where C = ε T/F. For a uniform disk under dry friction, C = 1/2, this is ε = 0.653.</p>",
-  modesCommand: "<pre><code>tribos modes --alpha 0 --inertia-ratio 0.5</code></pre><pre><code>tribos modes --alpha 0 --inertia-ratio 0.5 --diagram diagram.svg</code></pre>",
+  modesPrograms: "Both compute the end of the present body and the interval of the inertia ratio; the command also draws the diagram.",
 
   curlingTitle: "Curling: nobody knows yet why the rock curls",
   curlingIntro: "A curling rock that turns counterclockwise drifts about a metre to the left on its 28 metres, while an upturned glass on a table drifts to the other side. In the observed range, 0.3 to 1.4 rad/s, the drift hardly depends on how fast the rock turns, and this is what a model has to explain. The curves are the answers of seven models to the same draw: none agrees with all observations.",
@@ -153,7 +159,8 @@ export default {
   "verdict_pivot-slide": "The rock pivots about spots that hold: the right size at slow spin, then it falls.",
   "verdict_scratch-guide": "Scratches in the ice guide the band: the right size and trend, both put in by hand.",
   curlingFormula: "<h3>The formula</h3><p class=\"math\"><span>f(r) = −γ p(r) |u|<sup>α−1</sup> u,</span> <span>u = v + ω × r,</span> <span>γ = 0.008, α = −1/2 on ice</span></p><p>Each spot r of the running band resists along its own velocity u. If pressure and ice are the same in front and at the back, the sideways forces of both halves cancel to zero, whatever the law of friction: a rock that curls needs something that tells front from back.</p>",
-  curlingCommand: "<pre><code>tribos run curling-draw --out out/other --set model=pivot-slide</code></pre><p>All curves of the picture are of this command:</p><pre><code>tribos sweep curling-draw --set model=dry,left-right,front-back,back-heavy,film,pivot-slide,scratch-guide --set spin=0.25:3:0.25 --out out/curling</code></pre>",
+  curlingPrograms: "Both compute the numbers of the table, of the chosen model if one is chosen.",
+  curlingCommand: "<p>All curves of the picture are of this command:</p><pre><code>tribos sweep curling-draw --set model=dry,left-right,front-back,back-heavy,film,pivot-slide,scratch-guide --set spin=0.25:3:0.25 --out out/curling</code></pre>",
 
   powderTitle: "Powder: why fine dust stays fluffy",
   powderIntro: "Four recorded computations: about 480 sticky spheres are pressed by a piston until nothing moves any more. How much empty space is left depends on what their contacts resist: sliding alone, or also twisting about the contact (torsion), or rolling. Rolling friction lets thin chains of spheres stand up to the piston, so that four fifths and more stay empty.",
@@ -168,6 +175,7 @@ export default {
   powderTime: "{percent}\u00a0% of the film",
   powderSay: "Empty space at the time shown: {p0}\u00a0% with sliding friction only, {p1}\u00a0% with torsion, {p2}\u00a0% with rolling, {p3}\u00a0% with both.",
   powderFormula: "<h3>The formula</h3><p class=\"math\"><span>|F| ≤ μ P,</span> <span>|T<sub>rolling</sub>| ≤ μ<sub>r</sub> P r,</span> <span>|T<sub>torsion</sub>| ≤ μ<sub>n</sub> P r</span></p><p>P is the force that presses a contact together, cohesion included, F its friction force, T its torques, and r half the radius of the equal spheres. Here μ = 0.3; rolling and torsion have the coefficient 0 or 1. Every time step finds the forces of all contacts together.</p>",
+  powderPrograms: "Both compute the empty space of all four powders at the time of the slider. They take about a minute.",
   powderCommand: "<p>One of the four; the others have 0 in place of a 1:</p><pre><code>tribos run compaction-small --set mu_rolling=1 --set mu_torsion=1 --frames 40 --out out/powder-11</code></pre><pre><code>tribos view out/powder-11</code></pre>",
 
   worksheetTitle: "Worksheet: five experiments",

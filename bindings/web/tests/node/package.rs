@@ -65,5 +65,6 @@ fn the_package_passes_its_tests_and_computes_the_bits_of_the_kernel() {
         "playground/test/panels.test.mjs",
         "playground/test/throw.test.mjs",
         "playground/test/push.test.mjs",
+        "playground/test/programs.test.mjs",
     ]);
 }
