@@ -31,6 +31,8 @@ html_static_path = ["site"]
 html_css_files = ["tribos.css"]
 html_extra_path = ["playground.html"]
 html_show_sourcelink = False
+# Pages of their own have no section beside them.
+html_sidebars = {"index": [], "install": [], "problems": []}
 html_copy_source = False
 html_math_renderer = "mathml"
 html_theme_options = {
