@@ -258,3 +258,10 @@ def test_a_run_can_be_drawn() -> None:
         ):
             run = tribos.run(scene)
             assert run.plot().get_ylabel() == label
+
+
+def test_spheres_of_a_gas_touch_for_no_time() -> None:
+    last = tribos.run(tribos.scene("gas-haff", count=100, collisions=2)).final
+    assert (
+        len(last.positions) == 100 and last.contacts.shape == (0, 2) and last.normal_forces is None
+    )

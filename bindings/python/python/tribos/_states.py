@@ -146,7 +146,10 @@ def read_state(folder: Path, stem: str) -> State | None:
     for name, width in zip(kinds[::3], map(int, kinds[2::3]), strict=True):
         columns[name] = rows[:, at : at + width]
         at += width
-    contacts = _arrays(folder / f"{stem}-contacts.vtp")
+    # Spheres of a gas touch for no time: there is no such file.
+    file_of_contacts = folder / f"{stem}-contacts.vtp"
+    none: dict[str, Any] = {"a": np.empty(0, int), "b": np.empty(0, int), "gap": np.empty(0)}
+    contacts = _arrays(file_of_contacts) if file_of_contacts.exists() else none
     lattice = np.array(words["Lattice"].split(), dtype=float).reshape(3, 3)
 
     def block(table: dict[str, Any], name: str) -> Floats | None:
