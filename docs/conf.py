@@ -11,6 +11,7 @@ ROOT = Path(__file__).parent.parent
 DOCS = ROOT / "docs"
 OUTSIDE = re.compile(r"\[([^]]+)\]\((\.\./[^)#\s]+)(#[^)]*)?\)")
 PLAYGROUND = re.compile(r"\[(!\[[^]]*\]\([^)]*\)|[^]]+)\]\(playground\.html\)")
+HELP = re.compile(r"^\$ ((?:tribos)(?: [a-z]+)*) --help\n((?:>.*\n)+)", re.MULTILINE)
 PICTURE = re.compile(r"^!\[([^]]*)\]\((pictures/[^)]+)\)", re.MULTILINE)
 
 project = "Tribos"
@@ -75,8 +76,20 @@ def read(app, name: str, text: list[str]) -> None:
     text[0] = PLAYGROUND.sub(r'<a href="playground.html">\1</a>', text[0])
     if name == "fronts/index":
         text[0] += "\n```{toctree}\n:hidden:\n:glob:\n\n*\n```\n"
-    if name == "gallery":
-        text[0] += gallery()
+    made = {"commands": commands, "gallery": gallery}
+    if name in made:
+        text[0] += made[name]()
+
+
+def commands() -> str:
+    """Helps of all commands, from the transcripts that the tests of the command are held to."""
+    helps = {}
+    for transcript in (ROOT / "cli/tests/transcripts").glob("*.txt"):
+        for command, told in HELP.findall(transcript.read_text(encoding="utf-8")):
+            helps[command] = re.sub(r"^> ?", "", told, flags=re.MULTILINE)
+    first = helps.pop("tribos")
+    sections = [f"\n```text\n{first}```\n"] + [f"\n## {name}\n\n```text\n{helps[name]}```\n" for name in sorted(helps)]
+    return "".join(sections)
 
 
 def gallery() -> str:

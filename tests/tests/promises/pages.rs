@@ -6,18 +6,8 @@ use tribos_tests::pages::PAGES;
 
 /// Rows of a table that a reader takes in; longer ones are files beside the page.
 const ROWS: usize = 12;
-/// Their tables are made by programs, or are what the page is for.
-const LISTS: [&str; 9] = [
-    "accuracy.md",
-    "decisions.md",
-    "engines.md",
-    "errata.md",
-    "exhibits.md",
-    "keys.md",
-    "laws.md",
-    "results.md",
-    "searches.md",
-];
+/// Their tables are made by programs, or are the bytes of a file.
+const LISTS: [&str; 4] = ["exhibits.md", "formats.md", "keys.md", "results.md"];
 /// Their programs in Rust need crates of the engines' workspace, which compiles them.
 const ENGINES: [&str; 1] = ["games.md"];
 
