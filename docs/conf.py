@@ -45,16 +45,21 @@ html_theme_options = {
 }
 
 
+def formula(text: str, display: str) -> str:
+    """MathML, with primes at their full size: fonts have them raised already."""
+    made = latex2mathml.converter.convert(text, display=display)
+    return re.sub(r"<msup>(<mi>[^<]*</mi>)<mi>(&#x0203[23];)</mi></msup>", r'\1<mo lspace="0" rspace="0">\2</mo>', made)
+
+
 def inline(translator, node: nodes.math) -> None:
-    translator.body.append(latex2mathml.converter.convert(node.astext()))
+    translator.body.append(formula(node.astext(), "inline"))
     raise nodes.SkipNode
 
 
 def block(translator, node: nodes.math_block) -> None:
     anchor = "".join(f'<span id="{name}"></span>' for name in node["ids"])
     number = f'<span class="eqno">({node["number"]})</span>' if node.get("number") else ""
-    formula = latex2mathml.converter.convert(node.astext(), display="block")
-    translator.body.append(f'<div class="math">{anchor}{number}{formula}</div>')
+    translator.body.append(f'<div class="formula">{anchor}{formula(node.astext(), "block")}{number}</div>')
     raise nodes.SkipNode
 
 

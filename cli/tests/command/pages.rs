@@ -132,9 +132,14 @@ impl Page {
                 }
                 self.keep("```");
             } else if let Some(drawn) = line.strip_prefix("<!-- picture: ") {
-                let shown = lines.next().unwrap_or_default();
-                self.picture(drawn.trim_end_matches(" -->"), shown)?;
-                self.keep(shown);
+                let mut shown = String::new();
+                while !shown.contains("](")
+                    && let Some(more) = lines.next()
+                {
+                    self.keep(more);
+                    shown += more;
+                }
+                self.picture(drawn.trim_end_matches(" -->"), &shown)?;
             } else {
                 let mut command = line.to_owned();
                 while command.trim_start().starts_with("tribos ") && command.ends_with('\\') {
