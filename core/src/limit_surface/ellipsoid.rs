@@ -14,7 +14,7 @@ use crate::twist::{Twist, Wrench};
 /// *Error* for the uniform disk (T₀ = 2/3): the exact surface lies inside, down to gauge 0.934 at
 /// v/(ωR) = 0.766. See `docs/limit-surface.md` for forces and motions.
 /// *Accuracy* as an ellipsoid: a few ulp. A torque over the arm R T₀ that overflows has an infinite gauge.
-/// *Source*: R. D. Howe and M. R. Cutkosky, Int. J. Robotics Research 15 (1996) 531.
+/// *Source*: R. D. Howe and M. R. Cutkosky, Int. J. Robotics Research 15 (1996) 557.
 ///
 /// ```
 /// use tribos_core::limit_surface::{LimitEllipsoid, FrictionSet};
