@@ -40,7 +40,7 @@ html_theme_options = {
     "header_links_before_dropdown": 7,
     "navbar_align": "left",
     "secondary_sidebar_items": ["page-toc"],
-    "show_nav_level": 2,
+    "show_nav_level": 1,
     "use_edit_page_button": False,
 }
 
