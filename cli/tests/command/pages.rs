@@ -120,6 +120,8 @@ impl Page {
             return Ok(self.faults);
         }
         prepare(self.folder.path())?;
+        // A page may show a picture before the command that draws it.
+        let mut pictures = Vec::new();
         let mut lines = text.lines();
         while let Some(line) = lines.next() {
             self.keep(line);
@@ -139,7 +141,7 @@ impl Page {
                     self.keep(more);
                     shown += more;
                 }
-                self.picture(drawn.trim_end_matches(" -->"), &shown)?;
+                pictures.push((drawn.trim_end_matches(" -->"), shown));
             } else {
                 let mut command = line.to_owned();
                 while command.trim_start().starts_with("tribos ") && command.ends_with('\\') {
@@ -151,6 +153,9 @@ impl Page {
                     self.faults.extend(fault(self.folder.path(), &command)?);
                 }
             }
+        }
+        for (drawn, shown) in pictures {
+            self.picture(drawn, &shown)?;
         }
         if writes() && self.written != text {
             fs::write(&self.path, &self.written)?;
