@@ -73,7 +73,8 @@ fn book() -> String {
     let mut page = String::from(
         "# The thesis, item by item\n\nEvery figure, table and section with results of *Mesoscopic Aspects of Solid \
          Friction*, in its order, with the\nexhibits of `tribos reproduce` that recompute it, or the reason why there \
-         is none. Made from the table that the report uses.\n\n| of the thesis | exhibits | reason |\n|---|---|---|\n",
+         is none. Made from the table that the report uses. In a clone, `cargo install --path thesis` installs the \
+         command.\n\n| of the thesis | exhibits | reason |\n|---|---|---|\n",
     );
     for item in ITEMS {
         let exhibits: Vec<String> = item
