@@ -84,8 +84,3 @@ pub fn explain() {
          thumbv6m-none-eabi, riscv32imac-unknown-none-elf or riscv64gc-unknown-none-elf."
     );
 }
-
-/// Keeps the code of the guide compiling.
-#[cfg(doctest)]
-#[doc = include_str!("../../docs/c.md")]
-struct Guide;

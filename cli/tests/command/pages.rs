@@ -3,8 +3,8 @@
 //!
 //! A block ```` ```console ```` has commands after `$ ` and their standard output, which is compared: a line `…` stands for any
 //! lines, `…` in a line for any text. Other commands need only succeed; powders and tips are cut short in them. A picture
-//! after `<!-- picture: FILE -->` is the FILE that the page's commands left, to the byte. Blocks ```` ```console long ```` run
-//! with TRIBOS_PRINTED=whole alone, and then nothing is cut short; TRIBOS_WRITE_PAGES=1 writes outputs and pictures anew.
+//! after `<!-- picture: FILE -->` is the FILE that the page's commands left, to the byte. With
+//! TRIBOS_PRINTED=whole nothing is cut short; TRIBOS_WRITE_PAGES=1 writes outputs and pictures anew.
 #![cfg(unix)]
 
 use crate::program::{Error, Outcome, told};
@@ -125,13 +125,9 @@ impl Page {
         let mut lines = text.lines();
         while let Some(line) = lines.next() {
             self.keep(line);
-            if let Some(kind) = line.strip_prefix("```console") {
+            if line == "```console" {
                 let block: Vec<&str> = lines.by_ref().take_while(|line| *line != "```").collect();
-                if kind == " long" && !whole() {
-                    block.iter().for_each(|line| self.keep(line));
-                } else {
-                    self.session(&block)?;
-                }
+                self.session(&block)?;
                 self.keep("```");
             } else if let Some(drawn) = line.strip_prefix("<!-- picture: ") {
                 let mut shown = String::new();
