@@ -65,6 +65,9 @@ class PointContact:
     def on(cls, patch: Patch, position: Pair, mu: float) -> PointContact:
         """A contact at the side of a patch that is nearest to a place, with that side's inward normal.
 
+        The place may lie off that side, as where a body overhangs its patch. It is one place; many contacts are made
+        from arrays of places and normals by the constructor.
+
         Parameters
         ----------
         patch
