@@ -99,13 +99,12 @@ def commands() -> str:
 
 def gallery() -> str:
     """Every picture of the pages, each with its page."""
-    cards = []
+    cards = {}
     for page in sorted(DOCS.glob("*.md")):
         for words, picture in PICTURE.findall(page.read_text(encoding="utf-8")):
-            cards.append(
-                f":::{{grid-item-card}}\n:img-top: {picture}\n:link: {page.stem}\n:link-type: doc\n\n{' '.join(words.split())}\n:::\n"
-            )
-    return "\n::::{grid} 1 2 2 3\n:gutter: 3\n\n" + "\n".join(cards) + "::::\n"
+            link = f":img-top: {picture}\n:link: {page.stem}\n:link-type: doc\n"
+            cards.setdefault(picture, f":::{{grid-item-card}}\n{link}\n{' '.join(words.split())}\n:::\n")
+    return "\n::::{grid} 1 2 2 3\n:gutter: 3\n\n" + "\n".join(cards.values()) + "::::\n"
 
 
 def setup(app) -> None:
