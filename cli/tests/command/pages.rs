@@ -138,6 +138,9 @@ impl Page {
                     shown += more;
                 }
                 pictures.push((drawn.trim_end_matches(" -->"), shown));
+            } else if line.trim_start().starts_with("$ tribos ") {
+                let fault = format!("a command outside of a console block is not run: {line}");
+                self.faults.push(fault);
             } else {
                 let mut command = line.to_owned();
                 while command.trim_start().starts_with("tribos ") && command.ends_with('\\') {

@@ -68,3 +68,17 @@ fn every_program_in_rust_is_compiled() {
         assert!(!text.contains("```rust,ignore"), "{name}");
     }
 }
+
+#[test]
+fn programs_for_engines_are_those_that_their_readmes_compile() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let read = |name: &str| fs::read_to_string(root.join(name)).expect("a page");
+    let page = read("docs/games.md");
+    for engine in ["bevy", "rapier2d"] {
+        let readme = read(&format!("engines/{engine}/README.md"));
+        let (_, block) = readme.split_once("```rust").expect("a program");
+        let (_, program) = block.split_once('\n').expect("its first line");
+        let (program, _) = program.split_once("\n```").expect("its end");
+        assert!(page.contains(program), "{engine}");
+    }
+}

@@ -4,7 +4,6 @@
 #[allow(dead_code, reason = "what another adapter needs")]
 mod exact;
 mod grounds;
-mod page;
 mod removal;
 mod rest;
 mod runs;

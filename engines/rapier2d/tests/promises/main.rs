@@ -7,7 +7,6 @@ mod contacts;
 mod exact;
 mod game;
 mod materials;
-mod page;
 mod rest;
 mod saved;
 mod throws;
