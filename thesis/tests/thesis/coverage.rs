@@ -74,7 +74,9 @@ fn book() -> String {
         "# The thesis, item by item\n\nEvery figure, table and section with results of *Mesoscopic Aspects of Solid \
          Friction*, in its order, with the\nexhibits of `tribos reproduce` that recompute it, or the reason why there \
          is none. Made from the table that the report uses. In a clone, `cargo install --path thesis` installs the \
-         command.\n\n| of the thesis | exhibits | reason |\n|---|---|---|\n",
+         command.\n\n```sh\ntribos reproduce --list\ntribos reproduce --out out/thesis 3.4 table-3.1\n\
+         tribos reproduce --quick --out out/sections section-2.1 section-2.3\n```\n\nIt leaves `index.html`, a page \
+         a chapter, `claims.csv` and the figures, and ends with exit code 1 if a comparison fails for no known reason.\n\n| of the thesis | exhibits | reason |\n|---|---|---|\n",
     );
     for item in ITEMS {
         let exhibits: Vec<String> = item

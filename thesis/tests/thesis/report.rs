@@ -449,7 +449,7 @@ fn printed_commands_are_taken() -> Outcome {
             }
         }
     }
-    assert!(taken > 5, "{taken}");
+    assert!(taken > 8, "{taken}");
     Ok(())
 }
 
