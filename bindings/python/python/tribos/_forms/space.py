@@ -1,0 +1,53 @@
+"""What the forms need of an array library."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, Protocol
+
+
+class Space(Protocol):
+    """Operations on arrays of one library. Arithmetic is that of the arrays' own operators."""
+
+    def where(self, mask: Any, a: Any, b: Any) -> Any:
+        """`a` where the mask holds, else `b`."""
+
+    def sqrt(self, x: Any) -> Any:
+        """Square root."""
+
+    def log(self, x: Any) -> Any:
+        """Natural logarithm."""
+
+    def abs(self, x: Any) -> Any:
+        """Absolute value; its derivative at 0 is 0."""
+
+    def stack(self, parts: Sequence[Any]) -> Any:
+        """Arrays side by side along a new last axis, after broadcasting."""
+
+    def total(self, x: Any) -> Any:
+        """Sum along the last axis."""
+
+    def following(self, x: Any) -> Any:
+        """Each entry's successor along the last axis, the first after the last."""
+
+    def constant(self, c: Any, like: Any) -> Any:
+        """A number or a table in the type of an array, on its device."""
+
+    def type_of(self, x: Any) -> str:
+        """"float32" or "float64"."""
+
+    def still(self, x: Any) -> Any:
+        """The same without derivatives."""
+
+    def apart(self, x: Any) -> Any:
+        """The same, not to be computed again at each use."""
+
+    def loop(self, step: Callable[[Any], Any], state: Any, count: int) -> Any:
+        """The state after so many steps, without derivatives."""
+
+    def ruled(self, value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
+        """A function with its own first derivative.
+
+        `rule(arguments, tangents)` gives the values and their rates, linear in the tangents; it is made of
+        operations of the space, so that it can be differentiated in turn. A library may ignore it.
+        """

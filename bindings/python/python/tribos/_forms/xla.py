@@ -1,0 +1,49 @@
+"""The space of JAX."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+
+where = jnp.where
+sqrt = jnp.sqrt
+log = jnp.log
+abs = jnp.abs
+still = jax.lax.stop_gradient
+
+
+def stack(parts: Sequence[Any]) -> Any:
+    return jnp.stack(jnp.broadcast_arrays(*parts), axis=-1)
+
+
+def total(x: Any) -> Any:
+    return jnp.sum(x, axis=-1)
+
+
+def following(x: Any) -> Any:
+    return jnp.roll(x, -1, axis=-1)
+
+
+def constant(c: Any, like: Any) -> Any:
+    return jnp.asarray(c, like.dtype)
+
+
+def type_of(x: Any) -> str:
+    return str(x.dtype)
+
+
+# Fused, every use of a value would compute all before it again.
+apart = jax.lax.optimization_barrier
+
+
+def loop(step: Callable[[Any], Any], state: Any, count: int) -> Any:
+    return jax.lax.fori_loop(0, count, lambda _, now: step(now), still(state))
+
+
+def ruled(value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
+    made = jax.custom_jvp(value)
+    made.defjvp(rule)
+    return made
