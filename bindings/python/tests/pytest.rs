@@ -51,15 +51,7 @@ fn built(package: &Path, folder: &Path) -> PathBuf {
         .find(|path| is_library(path))
         .expect("the library beside this program");
     let target = folder.join("tribos");
-    fs::create_dir(&target).expect("a folder for the package");
-    for entry in fs::read_dir(package.join("python/tribos")).expect("the package") {
-        let path = entry.expect("an entry").path();
-        let is_source =
-            [Some(OsStr::new("py")), Some(OsStr::new("typed"))].contains(&path.extension());
-        if is_source {
-            fs::copy(&path, target.join(path.file_name().expect("a name"))).expect("copied");
-        }
-    }
+    copy_sources(&package.join("python/tribos"), &target);
     let name = if cfg!(windows) {
         "_native.pyd"
     } else {
@@ -67,6 +59,24 @@ fn built(package: &Path, folder: &Path) -> PathBuf {
     };
     fs::copy(library, target.join(name)).expect("copied");
     folder.to_path_buf()
+}
+
+/// Sources of a package and of those in it.
+fn copy_sources(from: &Path, to: &Path) {
+    fs::create_dir(to).expect("a folder for the package");
+    for entry in fs::read_dir(from).expect("the package") {
+        let path = entry.expect("an entry").path();
+        let target = to.join(path.file_name().expect("a name"));
+        if path.is_dir() {
+            copy_sources(&path, &target);
+        } else if ["py", "typed"]
+            .map(OsStr::new)
+            .map(Some)
+            .contains(&path.extension())
+        {
+            fs::copy(&path, target).expect("copied");
+        }
+    }
 }
 
 fn is_library(path: &Path) -> bool {
