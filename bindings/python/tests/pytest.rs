@@ -7,7 +7,7 @@ use std::env;
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 /// What the tests cannot do without.
 const NEEDED: &str = "import sys, numpy, pytest; assert sys.version_info >= (3, 10)";
@@ -29,6 +29,8 @@ fn tests_in_python_pass() {
         .arg(package.join("tests"))
         .arg("-c")
         .arg(package.join("pyproject.toml"))
+        // Side by side, a file in one process, where that is installed.
+        .args(spread(&python))
         .env("PYTHONDONTWRITEBYTECODE", "1")
         .env("TRIBOS_REPOSITORY", package.join("../.."))
         .current_dir(folder.path());
@@ -36,6 +38,18 @@ fn tests_in_python_pass() {
         tests.env("PYTHONPATH", built(package, folder.path()));
     }
     assert!(succeeds(&mut tests), "the tests in Python failed");
+}
+
+fn spread(python: &OsStr) -> &'static [&'static str] {
+    if succeeds(
+        Command::new(python)
+            .args(["-c", "import xdist"])
+            .stderr(Stdio::null()),
+    ) {
+        &["-n", "auto", "--maxprocesses", "4", "--dist", "loadfile"]
+    } else {
+        &[]
+    }
 }
 
 fn succeeds(command: &mut Command) -> bool {

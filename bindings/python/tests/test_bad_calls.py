@@ -15,8 +15,17 @@ ICE = PUCK.limit_surface(1.7)
 READ_ONLY = np.zeros(3)
 READ_ONLY.flags.writeable = False
 
+
+class Something:
+    """No kind of argument, with the same name in every process."""
+
+    def __repr__(self) -> str:
+        return "something"
+
+
+SOMETHING = Something()
 # What no length, coefficient or count is.
-NO_NUMBERS = ["0.1", "x", None, [], [0.1, 0.2], {}, object(), 1j, NAN, INF, -INF]
+NO_NUMBERS = ["0.1", "x", None, [], [0.1, 0.2], {}, SOMETHING, 1j, NAN, INF, -INF]
 NOT_POSITIVE = [0.0, -0.0, -1.0, -1e-300, *NO_NUMBERS]
 # What no array of twists or wrenches is.
 NO_ROWS = [
@@ -32,13 +41,13 @@ NO_ROWS = [
     ["a", "b", "c"],
     [1j, 0.0, 0.0],
     [None, 0.0, 0.0],
-    object(),
+    SOMETHING,
     {1, 2, 3},
     np.zeros(3, dtype="datetime64[s]"),
     np.zeros(3, dtype=object),
     np.zeros(3, dtype=[("x", float)]),
 ]
-NO_LOADS = [-1.0, -INF, -1e-300, "x", None, 1j, object(), [[1.0], [2.0, 3.0]], [-1.0, 1.0]]
+NO_LOADS = [-1.0, -INF, -1e-300, "x", None, 1j, SOMETHING, [[1.0], [2.0, 3.0]], [-1.0, 1.0]]
 NO_OUTPUTS = [
     [0.0, 0.0, 0.0],
     3.0,
@@ -126,7 +135,7 @@ def calls() -> list[object]:
     add("square alpha", lambda x: tribos.Friction(tribos.box(1, 1), mu=1.0, alpha=x), [-1.0, 11.0])
     add("tier", lambda x: tribos.Friction(tribos.disk(1.0), mu=1.0, tier=x), ["", "fast", "Table"])
     add("tier of a box", lambda x: tribos.Friction(tribos.box(1, 1), mu=1.0, tier=x), ["table"])
-    add("patch", lambda x: tribos.Friction(x, mu=1.0), [None, "disk", 0.1, ICE, PUCK, object()])
+    add("patch", lambda x: tribos.Friction(x, mu=1.0), [None, "disk", 0.1, ICE, PUCK, SOMETHING])
     laws = [
         "",
         "none",
@@ -178,7 +187,7 @@ def of_motion(add: Callable[..., None]) -> None:
             lambda x, n=name: tribos.slide(PUCK, 1.0, 1.0, **{n: x}),
             [-1.0, "x", None, 1j],
         )
-    speeds = ["x", None, 1j, [[1.0], [1.0, 2.0]], object()]
+    speeds = ["x", None, 1j, [[1.0], [1.0, 2.0]], SOMETHING]
     add("slide speed", lambda x: tribos.slide(PUCK, x, 1.0), speeds)
     add("slide of", lambda x: tribos.slide(x, 1.0, 1.0), [None, "puck", tribos.disk(1.0), ICE, BOX])
     viscous = tribos.Friction(tribos.disk(1.0), mu=1.0, alpha=1.0)
