@@ -1,8 +1,9 @@
 """Compares the device code with the host's library, bit by bit, on rows that the library draws.
 
-`compare.py HOST.so DEVICE.ptx` does so on a GPU, with the driver of CUDA and nothing else: 10⁷ rows a function and
-precision in some minutes, and the number of rows a second. `--driver libdevice.so` takes the translated code in place of
-the driver (driver.c), and then no GPU is needed. Fails if a row differs; with `--expect-difference` if none does.
+`compare.py HOST.so DEVICE.ptx` does so on the first GPU, by CUDA's driver and with nothing to install: 10⁷ rows of each
+function and precision, and how many the GPU does in a second. With `--driver libdevice.so`, the translated code in place
+of the driver (driver.c), no GPU is needed. Status 1 if a row differs (with `--expect-difference` if none does), 2 without
+a GPU.
 """
 
 import argparse
@@ -11,10 +12,12 @@ import os
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
+from typing import NoReturn
 
 BLOCK = 128  # threads
 CHUNK = 1 << 18  # rows, of one seed
-TIMED = 5  # launches
+TIMED, LAUNCHES = 1 << 21, 10  # rows and launches that speed is measured with
+NO_GPU = 2
 REALS = {"f32": ctypes.c_float, "f64": ctypes.c_double}
 
 
@@ -32,7 +35,10 @@ class Host:
     def _declare(self, kind: str) -> None:
         whole, place = ctypes.c_uint64, ctypes.c_void_p
         self.draw(kind).argtypes = [whole, whole, place, whole]
-        self.differing(kind).argtypes, self.differing(kind).restype = [place, place, whole, whole], whole
+        self.differing(kind).argtypes, self.differing(kind).restype = (
+            [place, place, whole, whole],
+            whole,
+        )
         for name in self.names():
             self.library[f"{name}_{kind}"].argtypes = [place, place, whole]
 
@@ -63,8 +69,11 @@ class Device:
     def __init__(self, driver: ctypes.CDLL, module: bytes) -> None:
         self.driver, self.module = driver, ctypes.c_void_p()
         device, context, name = ctypes.c_int(), ctypes.c_void_p(), ctypes.create_string_buffer(100)
-        self.call("cuInit", ctypes.c_uint(0))
-        self.call("cuDeviceGet", ctypes.byref(device), ctypes.c_int(0))
+        try:
+            self.call("cuInit", ctypes.c_uint(0))
+            self.call("cuDeviceGet", ctypes.byref(device), ctypes.c_int(0))
+        except RuntimeError as error:
+            no_gpu(error)
         self.call("cuDeviceGetName", name, ctypes.c_int(len(name)), device)
         self.call("cuDevicePrimaryCtxRetain", ctypes.byref(context), device)
         self.call("cuCtxSetCurrent", context)
@@ -88,7 +97,12 @@ class Device:
     def answers(self, program: str, rows: int, inputs, answers, launches: int = 1) -> float:
         """Fills `answers`, and says how many seconds a launch takes."""
         function, (read, written) = ctypes.c_void_p(), map(self.memory, (inputs, answers))
-        self.call("cuModuleGetFunction", ctypes.byref(function), self.module, ctypes.c_char_p(program.encode()))
+        self.call(
+            "cuModuleGetFunction",
+            ctypes.byref(function),
+            self.module,
+            ctypes.c_char_p(program.encode()),
+        )
         self.call("cuMemcpyHtoD_v2", read, inputs, ctypes.c_size_t(ctypes.sizeof(inputs)))
         # What a program does not write differs from every answer.
         ctypes.memset(answers, 0xA5, ctypes.sizeof(answers))
@@ -108,32 +122,44 @@ class Device:
         return seconds
 
 
-def compared(host: Host, device: Device, function: int, kind: str, rows: int) -> tuple[int, float]:
-    """Rows that differ, and how many the device does in a second. The host's threads are a chunk or two ahead."""
+def compared(host: Host, device: Device, function: int, kind: str, rows: int) -> int:
+    """The number of rows that differ. While the device works the host's threads prepare further rows."""
     program, width = f"{host.names()[function]}_{kind}", host.library.outputs(function)
     sizes = [min(CHUNK, rows - first) for first in range(0, rows, CHUNK)]
     differ, threads = 0, os.cpu_count() or 1
     with ThreadPoolExecutor(threads) as pool:
         for start in range(0, len(sizes), threads):
-            group = sizes[start : start + threads]
-            drawn = [pool.submit(host.rows, function, kind, start + n, size) for n, size in enumerate(group)]
-            for size, chunk in zip(group, drawn, strict=True):
-                inputs, wanted = chunk.result()
+            group = list(enumerate(sizes[start : start + threads], start))
+            prepared = [pool.submit(host.rows, function, kind, seed, size) for seed, size in group]
+            for (_, size), one in zip(group, prepared):
+                inputs, wanted = one.result()
                 found = type(wanted)()
-                seconds = device.answers(program, size, inputs, found)
+                device.answers(program, size, inputs, found)
                 differ += host.differing(kind)(wanted, found, len(wanted), width)
-    if rows > CHUNK:
-        inputs, wanted = host.rows(function, kind, 0, CHUNK)
-        seconds, size = device.answers(program, CHUNK, inputs, wanted, TIMED), CHUNK
-    return differ, size / seconds
+    return differ
+
+
+def speed(host: Host, device: Device, function: int, kind: str) -> float:
+    """Rows a second, copies aside."""
+    inputs, answers = host.rows(function, kind, 0, TIMED)
+    seconds = device.answers(f"{host.names()[function]}_{kind}", TIMED, inputs, answers, LAUNCHES)
+    return TIMED / seconds
+
+
+def no_gpu(why: Exception) -> NoReturn:
+    """Ends the program."""
+    print(f"no GPU: {why}")
+    sys.exit(NO_GPU)
 
 
 def driver(path: str | None) -> ctypes.CDLL:
-    """The driver of CUDA, or the library in its place."""
+    """CUDA's driver, or the library in its place."""
+    if path:
+        return ctypes.CDLL(os.path.abspath(path))
     try:
-        return ctypes.CDLL(path or "libcuda.so.1")
+        return ctypes.CDLL("libcuda.so.1")
     except OSError as error:
-        sys.exit(f"no GPU: {error}" if path is None else str(error))
+        no_gpu(error)
 
 
 def main() -> None:
@@ -144,18 +170,19 @@ def main() -> None:
     parser.add_argument("--rows", type=int, default=10**7, help="of each function and precision")
     parser.add_argument("--expect-difference", action="store_true", help="for code that rounds otherwise")
     options = parser.parse_args()
-    host, library = Host(os.path.abspath(options.host)), driver(options.driver and os.path.abspath(options.driver))
+    host = Host(os.path.abspath(options.host))
     with open(options.module, "rb") as module:
-        device = Device(library, module.read())
-    print(f"{device.name}: {options.rows} rows each")
-    total = 0
+        device = Device(driver(options.driver), module.read())
+    print(f"{device.name}: {options.rows} rows of each")
+    total, start = 0, time.perf_counter()
     for function, name in enumerate(host.names()):
         for kind in REALS:
-            differ, speed = compared(host, device, function, kind, options.rows)
+            differ = compared(host, device, function, kind, options.rows)
+            fast = "" if options.driver else f", {speed(host, device, function, kind):.3g} rows a second"
+            print(f"{name:>12} {kind}: {differ} differ{fast}", flush=True)
             total += differ
-            print(f"{name:>12} {kind}: {differ:8} differ, {speed:.3g} rows a second", flush=True)
-    if (total > 0) != options.expect_difference:
-        sys.exit(f"{total} rows differ from the host's")
+    print(f"{total} rows differ from the host's; {time.perf_counter() - start:.0f} s")
+    sys.exit((total > 0) != options.expect_difference)
 
 
 if __name__ == "__main__":

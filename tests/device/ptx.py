@@ -4,7 +4,8 @@
 no multiply-add of floating-point numbers, no approximation, no flush to zero, no trap, which is what a panic becomes,
 no call of what the module does not define. What it has translated is therefore checked.
 
-Registers are integers in C; a floating-point number is made of the bits for one operation. OUT.c belongs to driver.c.
+Registers are integers in C; a floating-point number is made of the bits for one operation. What is no number has other
+bits than on the host, as on a GPU, unless HOST_NAN is defined. OUT.c belongs to driver.c.
 """
 
 import re
@@ -17,15 +18,20 @@ HEAD = """#include <float.h>
 _Static_assert(FLT_EVAL_METHOD == 0, "an operation rounds once, to its own type");
 #define LOAD(type, from) ({ type loaded; memcpy(&loaded, (void *)(from), sizeof loaded); loaded; })
 #define STORE(type, to, what) { type stored = (type)(what); memcpy((void *)(to), &stored, sizeof stored); }
-#define REAL(real, bits, type) \\
+#ifdef HOST_NAN
+#define BITS(x, bits, nan) bits
+#else
+#define BITS(x, bits, nan) (x == x ? bits : nan)
+#endif
+#define REAL(real, bits, type, nan) \\
   static inline real type##_of(bits from) { real x; memcpy(&x, &from, sizeof x); return x; } \\
-  static inline bits type##_bits(real from) { bits x; memcpy(&x, &from, sizeof x); return x; } \\
+  static inline bits type##_bits(real from) { bits x; memcpy(&x, &from, sizeof x); return BITS(from, x, nan); } \\
   static inline bits type##_min(bits a, bits b) { real x = type##_of(a), y = type##_of(b); \\
     return x != x ? b : y != y ? a : x == y ? a | b : x < y ? a : b; } \\
   static inline bits type##_max(bits a, bits b) { real x = type##_of(a), y = type##_of(b); \\
     return x != x ? b : y != y ? a : x == y ? a & b : x > y ? a : b; }
-REAL(float, uint32_t, f32)
-REAL(double, uint64_t, f64)
+REAL(float, uint32_t, f32, 0x7fffffffu)
+REAL(double, uint64_t, f64, 0x7fffffffffffffffull)
 """
 
 ORDER = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}
@@ -101,11 +107,10 @@ def shifted(way: str, kind: str, a: str, by: str) -> str:
 
 def multiplied(part: str, kind: str, a: str, b: str) -> str:
     """The lower half of a product, the upper one, or all."""
-    width = int(kind[1:])
+    width, unsigned = int(kind[1:]), kind[0] != "s"
     if part == "lo":
-        return f"{whole(a, 'u' + kind[1:])} * {whole(b, 'u' + kind[1:])}"
-    wide = {16: "int32_t", 32: "int64_t", 64: "__int128"}[width]
-    wide = wide if kind[0] == "s" else "unsigned __int128" if width == 64 else "u" + wide
+        return f"{value(a)} * {value(b)}"
+    wide = {32: "uint64_t" if unsigned else "int64_t", 64: "unsigned __int128" if unsigned else "__int128"}[width]
     product = f"({wide}){whole(a, kind)} * {whole(b, kind)}"
     return product if part == "wide" else f"({product}) >> {width}"
 
@@ -186,7 +191,8 @@ def statement(line: str, answer: str | None, defined: set[str]) -> str:
     if match := re.fullmatch(r"(\$\w+):", line):
         return f"{name(match[1])}:;"
     if match := re.fullmatch(r"\.reg \.(\w+)\s+%(\w+)<(\d+)>;", line):
-        return f"{c_type(match[1])} " + ", ".join(f"{match[2]}{n} = 0" for n in range(int(match[3]))) + ";"
+        registers = ", ".join(f"{match[2]}{n} = 0" for n in range(int(match[3])))
+        return f"{c_type(match[1])} {registers};"
     if match := re.fullmatch(r"\.(?:reg|param) \.(\w+)\s+%?(\w+);", line):
         return f"{c_type(match[1])} {match[2]} = 0;"
     if match := re.fullmatch(r"\.local \.align (\d+) \.b8\s+(\w+)\[(\d+)\];", line):
@@ -203,15 +209,15 @@ def statement(line: str, answer: str | None, defined: set[str]) -> str:
         if match := None if text else re.fullmatch(pattern, opcode):
             text = f"{value(operands[0])} = {expression(*match.groups(), *operands[1:])};"
     if not text:
-        raise ValueError("not an instruction with the same bits on every machine, or a call of what is not there")
+        raise ValueError("not known to have the same bits on every machine, or a call of what is not there")
     return f"if ({guard.replace('%', '')}) {{ {text} }}" if guard else text
 
 
 def function(match: re.Match, defined: set[str]) -> tuple[str, str]:
     """Prototype and definition of a function."""
-    is_entry, answer, symbol, parameters, body = match[1] == "entry", match[2], match[3], match[4], match[5]
-    kinds = [re.search(r"\.([busf]\d+) ", line)[1] for line in parameters.split(",") if line.strip()]
-    names = [name(line.split()[-1]) for line in parameters.split(",") if line.strip()]
+    kind, answer, symbol, parameters, body = match.groups()
+    declared = [line.split() for line in parameters.split(",") if line.strip()]
+    kinds, names = [words[1][1:] for words in declared], [name(words[-1]) for words in declared]
     given = ", ".join(f"{c_type(kind)} {one}" for kind, one in zip(kinds, names, strict=True))
     head = f"static {c_type(answer) if answer else 'void'} {name(symbol)}({given or 'void'})"
     lines = [f"{c_type(answer)} func_retval0 = 0;"] if answer else []
@@ -221,7 +227,7 @@ def function(match: re.Match, defined: set[str]) -> tuple[str, str]:
         except (ValueError, KeyError, AttributeError, TypeError) as error:
             sys.exit(f"{symbol}: refused: {line}\n{error}")
     text = f"{head} {{\n" + "\n".join(lines) + "\n}\n"
-    if is_entry:
+    if kind == "entry":
         values = ", ".join(f"*({c_type(kind)} *)given[{n}]" for n, kind in enumerate(kinds))
         text += f"static void run_{name(symbol)}(void **given) {{ {name(symbol)}({values}); }}\n"
     return f"{head};\n", text
@@ -235,10 +241,10 @@ def translated(source: str) -> str:
     for align, symbol, count, numbers in re.findall(data, source):
         text += f"static _Alignas({align}) const uint8_t {name(symbol)}[{count}] = {{{numbers}}};\n"
     source = re.sub(data, "", source)
-    head = r"\.(entry|func)\s+(?:\(\.param \.(\w+) func_retval0\)\s*)?([\w$]+)\s*\(([^)]*)\)\s*"
-    found = list(re.finditer(r"(?:\.visible )?" + head + r"\{\n(.*?)^\}", source, re.DOTALL | re.MULTILINE))
+    head = r"(?:\.visible )?\.(entry|func)\s+(?:\(\.param \.(\w+) func_retval0\)\s*)?([\w$]+)\s*\(([^)]*)\)\s*"
+    found = list(re.finditer(head + r"\{\n(.*?)^\}", source, re.DOTALL | re.MULTILINE))
     functions = [function(match, {match[3] for match in found}) for match in found]
-    rest = re.sub(r"(?:\.visible )?" + head + r"(?:;|\{\n.*?^\})", "", source, flags=re.DOTALL | re.MULTILINE)
+    rest = re.sub(head + r"(?:;|\{\n.*?^\})", "", source, flags=re.DOTALL | re.MULTILINE)
     if extra := re.sub(r"\.(version|target|address_size) .*", "", rest).strip():
         sys.exit(f"refused: {extra[:200]}")
     text += "".join(head for head, _ in functions) + "".join(body for _, body in functions)

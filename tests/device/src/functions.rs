@@ -9,11 +9,11 @@ use tribos_core::coupling::flat::ShapeFriction;
 use tribos_core::coupling::{ReducedFriction, RoundFriction};
 use tribos_core::limit_surface::{FrictionSet, Projection, Region, RoundLimitSurface};
 use tribos_core::manifold_friction::{
-    FrictionImpulse, FrictionLimits, InverseEffectiveMasses, IsotropicLimitCurve, Lanes, LimitCurve,
-    ManifoldArea, project_friction,
+    FrictionImpulse, FrictionLimits, InverseEffectiveMasses, IsotropicLimitCurve, Lanes,
+    LimitCurve, ManifoldArea, project_friction,
 };
 use tribos_core::patch::outline::Polygon;
-use tribos_core::planar::{PlanarBody, PlanarStep};
+use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
 
 /// Coefficient, radius, load, twist → wrench.
@@ -36,9 +36,8 @@ rounds!(disk CoulombDisk ring CoulombRing punch CoulombPunch hertz CoulombHertz 
 
 /// Coefficient, load, twist, four corners → wrench.
 pub(crate) fn polygon<R: Real>(row: [R; 13]) -> [R; 3] {
-    let [coefficient, load, x, y, spin, ax, ay, bx, by, cx, cy, dx, dy] = row;
-    let corners = [[ax, ay], [bx, by], [cx, cy], [dx, dy]];
-    let Ok(patch) = Polygon::new(corners) else {
+    let [coefficient, load, x, y, spin, corners @ ..] = row;
+    let Ok(patch) = Polygon::new(places(corners)) else {
         return [R::NAN; 3];
     };
     match ShapeFriction::new(patch, coefficient) {
@@ -59,12 +58,14 @@ pub(crate) fn project<R: Real>(row: [R; 6]) -> [R; 6] {
         _ => Twist::ZERO,
     };
     let [x, y, torque] = components(&wrench);
-    [x, y, torque, normal.velocity.x, normal.velocity.y, normal.spin]
+    let [u, v] = normal.velocity.into();
+    [x, y, torque, u, v, normal.spin]
 }
 
 /// Force limit, radius, mass, moment of inertia, time step, twist, push → twist, friction, 1 at rest, of a disk.
 pub(crate) fn step<R: Real>(row: [R; 11]) -> [R; 7] {
-    let [limit, radius, mass, inertia, dt, x, y, spin, push_x, push_y, push_torque] = row;
+    let [limit, radius, mass, inertia, dt, motion @ ..] = row;
+    let [x, y, spin, push @ ..] = motion;
     let (set, body, dt) = (
         RoundLimitSurface::new(CoulombDisk, limit, radius),
         PlanarBody::new(mass, inertia),
@@ -73,24 +74,31 @@ pub(crate) fn step<R: Real>(row: [R; 11]) -> [R; 7] {
     let (Ok(set), Ok(body), Ok(dt)) = (set, body, dt) else {
         return [R::NAN; 7];
     };
-    let (twist, push) = (Twist::new(x, y, spin), Wrench::new(push_x, push_y, push_torque));
-    let PlanarStep { twist, friction, is_at_rest } = body.step(&set, &twist, &push, dt);
-    let [x, y, torque] = components(&friction);
-    let rest = if is_at_rest { R::ONE } else { R::ZERO };
-    [twist.velocity.x, twist.velocity.y, twist.spin, x, y, torque, rest]
+    let push = Wrench::new(push[0], push[1], push[2]);
+    let after = body.step(&set, &Twist::new(x, y, spin), &push, dt);
+    let (twist, [x, y, torque]) = (after.twist, components(&after.friction));
+    let [u, v] = twist.velocity.into();
+    let rest = if after.is_at_rest { R::ONE } else { R::ZERO };
+    [u, v, twist.spin, x, y, torque, rest]
 }
 
 /// Candidate, limit, mean lever, dynamic over static, inverse masses → the impulse of a compact area.
 pub(crate) fn manifold<R: Real + Lanes>(row: [R; 8]) -> [R; 3] {
     let [x, y, angular, impulse, lever, ratio, k, kt] = row;
-    impulses([x, y, angular], [impulse, lever, ratio], [k, kt], &IsotropicLimitCurve::area())
+    impulses(
+        [x, y, angular],
+        [impulse, lever, ratio],
+        [k, kt],
+        &IsotropicLimitCurve::area(),
+    )
 }
 
 /// Candidate, limit, dynamic over static, inverse masses, four corners → the impulse of their area.
 pub(crate) fn plank<R: Real + Lanes>(row: [R; 15]) -> [R; 3] {
-    let [x, y, angular, impulse, ratio, k, kt, ax, ay, bx, by, cx, cy, dx, dy] = row;
-    let area = ManifoldArea::of_corners(&[[ax, ay], [bx, by], [cx, cy], [dx, dy]]);
-    impulses([x, y, angular], [impulse, area.torsion_radius, ratio], [k, kt], &area.outline)
+    let [x, y, angular, impulse, ratio, k, kt, corners @ ..] = row;
+    let area = ManifoldArea::of_corners(&places(corners));
+    let limits = [impulse, area.torsion_radius, ratio];
+    impulses([x, y, angular], limits, [k, kt], &area.outline)
 }
 
 fn impulses<R: Lanes, O: LimitCurve<R>>(
@@ -100,9 +108,19 @@ fn impulses<R: Lanes, O: LimitCurve<R>>(
     outline: &O,
 ) -> [R; 3] {
     let carried = project_friction(
-        &FrictionImpulse { tangential: [x, y], angular },
-        &FrictionLimits { impulse, torsion_radius, dynamic_over_static },
-        &InverseEffectiveMasses { tangential: k, angular: kt },
+        &FrictionImpulse {
+            tangential: [x, y],
+            angular,
+        },
+        &FrictionLimits {
+            impulse,
+            torsion_radius,
+            dynamic_over_static,
+        },
+        &InverseEffectiveMasses {
+            tangential: k,
+            angular: kt,
+        },
         outline,
     );
     let [x, y] = carried.tangential;
@@ -111,4 +129,8 @@ fn impulses<R: Lanes, O: LimitCurve<R>>(
 
 fn components<R: Real>(wrench: &Wrench<R>) -> [R; 3] {
     [wrench.force.x, wrench.force.y, wrench.torque]
+}
+
+fn places<R: Copy>([ax, ay, bx, by, cx, cy, dx, dy]: [R; 8]) -> [[R; 2]; 4] {
+    [[ax, ay], [bx, by], [cx, cy], [dx, dy]]
 }
