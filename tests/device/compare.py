@@ -179,7 +179,7 @@ def main() -> None:
         for kind in REALS:
             differ = compared(host, device, function, kind, options.rows)
             fast = "" if options.driver else f", {speed(host, device, function, kind):.3g} rows a second"
-            print(f"{name:>12} {kind}: {differ} differ{fast}", flush=True)
+            print(f"{name:>15} {kind}: {differ} differ{fast}", flush=True)
             total += differ
     print(f"{total} rows differ from the host's; {time.perf_counter() - start:.0f} s")
     sys.exit((total > 0) != options.expect_difference)

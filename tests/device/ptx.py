@@ -173,9 +173,11 @@ def transfer(opcode: str, operands: list[str]) -> str | None:
 
 
 def jump(opcode: str, operands: list[str], answer: str | None, defined: set[str]) -> str | None:
-    """A branch, a call of a function of the module, or the end of one."""
+    """A branch, a call of a function of the module, or the end of one. After all cases of a switch stands `exit`."""
     if opcode in ("bra", "bra.uni"):
         return f"goto {name(operands[0])};"
+    if opcode == "exit":
+        return "__builtin_trap();"
     if opcode == "ret":
         return f"return {answer or ''};"
     if opcode != "call.uni" or operands[-2] not in defined:

@@ -7,7 +7,9 @@ use tribos_core::coupling::coulomb::{
 };
 use tribos_core::coupling::flat::ShapeFriction;
 use tribos_core::coupling::{ReducedFriction, RoundFriction};
-use tribos_core::limit_surface::{FrictionSet, Projection, Region, RoundLimitSurface};
+use tribos_core::limit_surface::{
+    FrictionSet, Projection, Region, RoundLimitSurface, ShapeLimitSurface,
+};
 use tribos_core::manifold_friction::{
     FrictionImpulse, FrictionLimits, InverseEffectiveMasses, IsotropicLimitCurve, Lanes,
     LimitCurve, ManifoldArea, project_friction,
@@ -42,6 +44,21 @@ pub(crate) fn polygon<R: Real>(row: [R; 13]) -> [R; 3] {
     };
     match ShapeFriction::new(patch, coefficient) {
         Ok(friction) => components(&friction.wrench(load, &Twist::new(x, y, spin))),
+        Err(_) => [R::NAN; 3],
+    }
+}
+
+/// Force limit, length of the metric, wrench, four corners → the polygon's wrench nearest to it.
+pub(crate) fn polygon_project<R: Real>(row: [R; 13]) -> [R; 3] {
+    let [limit, length, x, y, torque, corners @ ..] = row;
+    let Ok(patch) = Polygon::new(places(corners)) else {
+        return [R::NAN; 3];
+    };
+    match ShapeLimitSurface::new(patch, limit) {
+        Ok(set) => components(
+            &set.project_with_length(&Wrench::new(x, y, torque), length)
+                .wrench,
+        ),
         Err(_) => [R::NAN; 3],
     }
 }

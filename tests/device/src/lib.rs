@@ -81,6 +81,7 @@ list! {
     paraboloid: round;
     polygon: polygon;
     project: projection;
+    polygon_project: polygon_projection;
     step: step;
     manifold: manifold;
     plank: plank;

@@ -42,6 +42,14 @@ pub(crate) fn projection(random: &mut Random) -> [f64; 6] {
     [limit, radius, length, x, y, torque]
 }
 
+/// Force limit, length of the metric, wrench, corners.
+pub(crate) fn polygon_projection(random: &mut Random) -> [f64; 13] {
+    let (limit, length) = (random.sized(5.0, 12), random.sized(0.1, 6));
+    let (corners, size) = (random.corners(), random.sized(limit, 4));
+    let [x, y, torque] = random.motion(10.0).map(|part| size * part);
+    joined([&[limit, length, x, y, torque], corners.as_flattened()])
+}
+
 /// Force limit, radius, mass, moment of inertia, time step, twist, push. Many bodies stop or start in the step.
 pub(crate) fn step(random: &mut Random) -> [f64; 11] {
     let (limit, radius, mass) = (
