@@ -360,7 +360,7 @@ impl_real! {
     f64, MANTISSA_F64,
     abs() = libm::fabs;
     copysign(sign) = libm::copysign;
-    sqrt() = libm::sqrt;
+    sqrt() = tribos_sqrt::sqrt;
     pow(exponent) = libm::pow;
     exp() = libm::exp;
     exp_m1() = libm::expm1;

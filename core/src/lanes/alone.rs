@@ -1,6 +1,7 @@
 //! Targets without vectors whose roots and quotients round as the scalar ones do.
 
 use super::{Numbers, Summed};
+use core::array::from_fn;
 use core::ops::{Add, Mul};
 
 /// A precision; here without lanes.
@@ -37,9 +38,8 @@ where
     let square = u * u;
     let mut sums = [terms[TERMS - 1], terms[TERMS - 2]];
     for n in (1..TERMS - 2).rev() {
-        for (sum, term) in sums[(TERMS - 1 - n) % 2].iter_mut().zip(terms[n]) {
-            *sum = *sum * square + term;
-        }
+        let sum = &mut sums[(TERMS - 1 - n) % 2];
+        *sum = from_fn(|column| sum[column] * square + terms[n][column]);
     }
     // The sums end with the first and the second power.
     let [first, second] = if TERMS.is_multiple_of(2) {
@@ -47,11 +47,7 @@ where
     } else {
         [sums[1], sums[0]]
     };
-    let mut whole = terms[0];
-    for ((whole, first), second) in whole.iter_mut().zip(first).zip(second) {
-        *whole = *whole + (first * u + second * square);
-    }
-    whole
+    from_fn(|column| terms[0][column] + (first[column] * u + second[column] * square))
 }
 
 impl Laned for f32 {

@@ -139,4 +139,4 @@ macro_rules! one_lane {
     };
 }
 one_lane!(f32, tribos_sqrt::sqrtf, libm::fabsf);
-one_lane!(f64, libm::sqrt, libm::fabs);
+one_lane!(f64, tribos_sqrt::sqrt, libm::fabs);

@@ -14,7 +14,7 @@ impl<'a, R: 'a, L: Iterator<Item = Corners<'a, R>> + Clone> OutlineLoops<'a, R> 
 
 /// All sides of a loop, the last one back to the first corner.
 pub(super) fn sides<R>(corners: &[[R; 2]]) -> impl Iterator<Item = [&[R; 2]; 2]> + Clone {
-    let next = corners.iter().cycle().skip(1);
+    let next = corners.iter().skip(1).chain(corners.first());
     corners.iter().zip(next).map(|(from, to)| [from, to])
 }
 
@@ -97,7 +97,7 @@ fn check_folds<R: Real>(
     corners: &[[R; 2]],
     scale: &OutlineExtent<R>,
 ) -> Result<(), OutlineError> {
-    let after = sides(corners).cycle().skip(1);
+    let after = sides(corners).skip(1).chain(sides(corners).take(1));
     for (edge, (one, other)) in sides(corners).zip(after).enumerate() {
         let [a, b] = one.map(|corner| scale.at(corner));
         let [_, c] = other.map(|corner| scale.at(corner));
