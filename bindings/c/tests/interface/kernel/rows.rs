@@ -1,0 +1,349 @@
+//! Rows of any numbers, and what the Rust kernel makes of them.
+
+use super::numbers::Type;
+use tribos_core::contact::TimeStep;
+use tribos_core::coupling::coulomb::{
+    CoulombDisk, CoulombHertz, CoulombParaboloid, CoulombPunch, CoulombRing,
+};
+use tribos_core::coupling::flat::ShapeFriction;
+use tribos_core::coupling::{DryReducedFriction, RoundFriction};
+use tribos_core::limit_surface::{FrictionSet, Projection, Region, RoundLimitSurface};
+use tribos_core::patch::outline::{Edge, Polygon};
+use tribos_core::planar::PlanarBody;
+use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
+
+/// Names of a round row's results.
+pub const ROUND: [&str; 27] = [
+    "wrench x",
+    "wrench y",
+    "wrench torque",
+    "jacobian xx",
+    "jacobian xy",
+    "jacobian xn",
+    "jacobian yy",
+    "jacobian yn",
+    "jacobian nn",
+    "gauge",
+    "normal x",
+    "normal y",
+    "normal spin",
+    "projected x",
+    "projected y",
+    "projected torque",
+    "projection's x",
+    "projection's y",
+    "projection's spin",
+    "slides",
+    "step x",
+    "step y",
+    "step spin",
+    "step's friction x",
+    "step's friction y",
+    "step's friction torque",
+    "is at rest",
+];
+/// Names of a polygon's results.
+pub const POLYGON: [&str; 13] = [
+    "is a patch",
+    "wrench x",
+    "wrench y",
+    "wrench torque",
+    "x beside the Jacobian",
+    "y beside the Jacobian",
+    "torque beside the Jacobian",
+    "xx",
+    "xy",
+    "xn",
+    "yy",
+    "yn",
+    "nn",
+];
+
+/// A row of a round patch.
+pub type RoundRow<R> = [R; 13];
+/// A row of a polygon: twist, strength, number of corners, corners.
+pub type PolygonRow<R> = [R; 21];
+
+/// The random numbers of a row.
+pub struct Draw(u64);
+
+impl Draw {
+    pub fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005);
+        self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);
+        self.0 >> 11
+    }
+
+    fn unit(&mut self) -> f64 {
+        self.bits() as f64 / (1_u64 << 53) as f64
+    }
+
+    fn below(&mut self, count: u64) -> u64 {
+        (self.bits() >> 20) % count
+    }
+
+    /// A positive number over so many powers of ten on both sides of 1.
+    fn size(&mut self, decades: f64) -> f64 {
+        power_of_ten((2.0 * self.unit() - 1.0) * decades)
+    }
+
+    /// Any number of a type whose exponents go to ±`most`: ordinary ones, ends of the range, zeros and no numbers.
+    fn any(&mut self, most: f64) -> f64 {
+        let sign = if self.below(2) == 0 { 1.0 } else { -1.0 };
+        let size = match self.below(48) {
+            0..=2 => 0.0,
+            3 => f64::INFINITY,
+            4 => f64::NAN,
+            5 => self.size(most),
+            6 => power_of_ten(-most * (0.9 + 0.13 * self.unit())),
+            7 => power_of_ten(most * (0.9 + 0.13 * self.unit())),
+            8..=11 => 1.0,
+            12..=18 => self.size(20.0),
+            _ => self.size(2.0),
+        };
+        sign * size
+    }
+
+    /// A positive number, seldom near the ends of the range.
+    fn positive<R: Type>(&mut self) -> R {
+        let decades = if self.below(40) == 0 {
+            0.8 * R::MOST
+        } else {
+            2.0
+        };
+        let size = R::from_f64(self.size(decades));
+        if size > R::ZERO && size.is_finite() {
+            size
+        } else {
+            R::ONE
+        }
+    }
+
+    /// A row of which the last parts have to be what constructors take.
+    pub fn round<R: Type>(&mut self) -> RoundRow<R> {
+        let any = |draw: &mut Self| R::from_f64(draw.any(R::MOST));
+        let pressure = R::from_f64(self.below(5) as f64);
+        let [strength, radius]: [R; 2] = [self.positive(), self.positive()];
+        let strength = if self.below(100) == 0 {
+            R::ZERO
+        } else {
+            strength
+        };
+        let [mass, inertia, dt]: [R; 3] = [self.positive(), self.positive(), self.positive()];
+        let is_body = PlanarBody::new(mass, inertia).is_ok();
+        let inertia = if is_body { inertia } else { mass };
+        let length = match self.below(20) {
+            0 => any(self),
+            1..=4 => radius * R::from_f64(self.size(4.0)),
+            _ => radius * R::from_f64(self.size(0.5)),
+        };
+        let mut twist = [any(self), any(self), any(self)];
+        match self.below(12) {
+            // Equal speeds, and nearly equal ones.
+            0 => twist = [twist[0], R::ZERO, twist[0] / radius],
+            1 => {
+                twist = [
+                    twist[0],
+                    R::ZERO,
+                    twist[0] / radius * R::from_f64(1.0 + self.size(1.0) * 1e-8),
+                ]
+            }
+            2 => twist = [R::ZERO; 3],
+            _ => {}
+        }
+        let near = R::from_f64(2.0 * self.unit());
+        let mut push = [any(self), any(self), any(self)];
+        match self.below(6) {
+            0 => {}
+            // On the surface and beside it.
+            1 | 2 => {
+                let factor = match self.below(3) {
+                    0 => R::ONE,
+                    1 => near,
+                    _ => R::ONE + R::EPSILON * R::from_f64(400.0 * (self.unit() - 0.5)),
+                };
+                let [x, y, n] = of_surface(pressure, strength, radius, twist);
+                push = [x * factor, y * factor, n * factor];
+            }
+            _ => {
+                let [x, y, n] = [(); 3].map(|()| R::from_f64(4.0 * (self.unit() - 0.5)));
+                push = [strength * x, strength * y, strength * radius * n];
+            }
+        }
+        if self.below(3) > 0 {
+            // What friction may bring to rest within the step, or nearly.
+            let at = R::from_f64(self.size(1.0)) * strength * dt;
+            twist = [at / mass, near * at / mass, near * at * radius / inertia];
+        }
+        let ([x, y, n], [a, b, c]) = (twist, push);
+        [
+            pressure, x, y, n, a, b, c, strength, radius, length, mass, inertia, dt,
+        ]
+    }
+
+    /// A polygon that is star-shaped about some place, and a twist.
+    pub fn polygon<R: Type>(&mut self) -> PolygonRow<R> {
+        let mut row = [R::ZERO; 21];
+        let count = 3 + self.below(6) as usize;
+        let [size, x, y] = [self.size(2.0), self.size(1.0), self.size(1.0)];
+        let stretch = self.size(0.5);
+        let sense = if self.below(2) == 0 { 1.0 } else { -1.0 };
+        for corner in 0..count {
+            let turn = (corner as f64 + 0.8 * self.unit()) / count as f64;
+            let (sin, cos) = turns(sense * turn);
+            let from = size * (0.4 + self.unit());
+            row[5 + 2 * corner] = R::from_f64(x + from * cos * stretch);
+            row[6 + 2 * corner] = R::from_f64(y + from * sin);
+        }
+        for part in &mut row[..3] {
+            *part = R::from_f64(self.any(R::MOST));
+        }
+        let place = [row[5], row[6]];
+        match self.below(8) {
+            // About a corner, and translations.
+            0 => (row[0], row[1]) = (row[2] * place[1], -(row[2] * place[0])),
+            1 => row[2] = R::ZERO,
+            2 => row[..3].fill(R::ZERO),
+            _ => {}
+        }
+        row[3] = self.positive();
+        row[4] = R::from_f64(count as f64);
+        row
+    }
+}
+
+/// 10 to a power, by steps that need no library: the rows do not depend on the platform's.
+fn power_of_ten(power: f64) -> f64 {
+    let whole = power.floor();
+    let part = power - whole;
+    // 10^part between 1 and 10: any smooth spread serves.
+    format!("1e{whole}").parse::<f64>().expect("a power of ten") * (1.0 + 9.0 * part)
+}
+
+/// Sine and cosine of so many turns, roughly: corners of a polygon may lie anywhere.
+fn turns(share: f64) -> (f64, f64) {
+    let wave = |share: f64| {
+        let at = share.rem_euclid(1.0);
+        let hill = |x: f64| 16.0 * x * (0.5 - x);
+        if at < 0.5 { hill(at) } else { -hill(at - 0.5) }
+    };
+    (wave(share), wave(share + 0.25))
+}
+
+macro_rules! of_pressure {
+    ($number:expr, $coupling:ident => $result:expr) => {
+        match $number.to_f64() as usize {
+            0 => {
+                let $coupling = CoulombDisk;
+                $result
+            }
+            1 => {
+                let $coupling = CoulombRing;
+                $result
+            }
+            2 => {
+                let $coupling = CoulombPunch;
+                $result
+            }
+            3 => {
+                let $coupling = CoulombHertz;
+                $result
+            }
+            _ => {
+                let $coupling = CoulombParaboloid;
+                $result
+            }
+        }
+    };
+}
+
+/// A wrench of the limit surface.
+fn of_surface<R: Type>(pressure: R, strength: R, radius: R, [x, y, n]: [R; 3]) -> [R; 3] {
+    let wrench = of_pressure!(pressure, coupling => {
+        let friction = RoundFriction::new(coupling, R::ONE, radius).expect("a radius");
+        friction.wrench(strength, &Twist::new(x, y, n))
+    });
+    of_wrench(&-wrench)
+}
+
+fn of_wrench<R: Type>(wrench: &Wrench<R>) -> [R; 3] {
+    [wrench.force.x, wrench.force.y, wrench.torque]
+}
+
+fn of_twist<R: Type>(twist: &Twist<R>) -> [R; 3] {
+    [twist.velocity.x, twist.velocity.y, twist.spin]
+}
+
+fn of_jacobian<R: Type>(jacobian: &WrenchJacobian<R>) -> [R; 6] {
+    [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)].map(|at| jacobian[at])
+}
+
+/// What the kernel makes of a round row.
+pub fn of_round<R: Type>(row: &RoundRow<R>) -> [R; 27] {
+    of_pressure!(row[0], coupling => of_coupling(coupling, row))
+}
+
+fn of_coupling<R: Type, C: DryReducedFriction<R>>(coupling: C, row: &RoundRow<R>) -> [R; 27] {
+    let [
+        _,
+        x,
+        y,
+        n,
+        a,
+        b,
+        c,
+        strength,
+        radius,
+        length,
+        mass,
+        inertia,
+        dt,
+    ] = *row;
+    let (twist, push) = (Twist::new(x, y, n), Wrench::new(a, b, c));
+    let friction = RoundFriction::new(&coupling, R::ONE, radius).expect("a radius");
+    let surface = RoundLimitSurface::new(&coupling, strength, radius).expect("a surface");
+    let mut found = [R::ZERO; 27];
+    found[..3].copy_from_slice(&of_wrench(&friction.wrench(strength, &twist)));
+    found[3..9].copy_from_slice(&of_jacobian(&friction.wrench_jacobian(strength, &twist)));
+    found[9] = surface.gauge(&push);
+    found[10..13].copy_from_slice(&of_twist(&surface.twist_normal_to(&push)));
+    let Projection { wrench, region } = surface.project_with_length(&push, length);
+    found[13..16].copy_from_slice(&of_wrench(&wrench));
+    if let Region::OnSurface { normal } = region {
+        found[16..19].copy_from_slice(&of_twist(&normal));
+        found[19] = R::ONE;
+    }
+    let body = PlanarBody::new(mass, inertia).expect("a body");
+    let dt = TimeStep::new(dt).expect("a time");
+    let step = body.step(&surface, &twist, &push, dt);
+    found[20..23].copy_from_slice(&of_twist(&step.twist));
+    found[23..26].copy_from_slice(&of_wrench(&step.friction));
+    found[26] = if step.is_at_rest { R::ONE } else { R::ZERO };
+    found
+}
+
+/// What the kernel makes of a polygon's row.
+pub fn of_polygon<R: Type>(row: &PolygonRow<R>) -> [R; 13] {
+    let count = row[4].to_f64() as usize;
+    let mut corners = [[R::ZERO; 2]; 8];
+    for (corner, given) in corners.iter_mut().zip(row[5..].chunks(2)) {
+        corner.copy_from_slice(given);
+    }
+    let mut found = [R::ZERO; 13];
+    let mut memory = [Edge::default(); 8];
+    let Ok(polygon) = Polygon::with_holes(&[&corners[..count]], &mut memory[..]) else {
+        return found;
+    };
+    let friction = ShapeFriction::new(polygon, R::ONE).expect("a coefficient");
+    let twist = Twist::new(row[0], row[1], row[2]);
+    let (wrench, jacobian) = friction.wrench_and_jacobian(row[3], &twist);
+    found[0] = R::ONE;
+    found[1..4].copy_from_slice(&of_wrench(&friction.wrench(row[3], &twist)));
+    found[4..7].copy_from_slice(&of_wrench(&wrench));
+    found[7..].copy_from_slice(&of_jacobian(&jacobian));
+    found
+}
