@@ -98,13 +98,14 @@ fn assert_same<R: Type, const IN: usize, const OUT: usize>(
     (program, kind): (&Path, &str),
     names: [&str; OUT],
     rows: &[[R; IN]],
-    of_kernel: impl Fn(&[R; IN]) -> [R; OUT],
+    of_kernel: impl Fn(&[R; IN]) -> Option<[R; OUT]>,
 ) {
     let found = answers(program, kind, rows);
     assert_eq!(found.len(), rows.len() * OUT, "{kind}");
     let (mut differ, mut first) = ([0_usize; OUT], None);
     for (row, found) in rows.iter().zip(found.chunks(OUT)) {
-        for (n, (wanted, found)) in of_kernel(row).into_iter().zip(found).enumerate() {
+        let wanted = of_kernel(row).into_iter().flatten();
+        for (n, (wanted, found)) in wanted.zip(found).enumerate() {
             if wanted.bits() != found.bits() && !(wanted.is_nan() && found.is_nan()) {
                 differ[n] += 1;
                 first.get_or_insert((names[n], row, wanted, *found));

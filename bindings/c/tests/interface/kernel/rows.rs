@@ -8,7 +8,7 @@ use tribos_core::coupling::coulomb::{
 use tribos_core::coupling::flat::ShapeFriction;
 use tribos_core::coupling::{DryReducedFriction, RoundFriction};
 use tribos_core::limit_surface::{FrictionSet, Projection, Region, RoundLimitSurface};
-use tribos_core::patch::outline::{Edge, Polygon};
+use tribos_core::patch::outline::{Edge, OutlineError, Polygon};
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
@@ -208,6 +208,25 @@ impl Draw {
             0 => (row[0], row[1]) = (row[2] * place[1], -(row[2] * place[0])),
             1 => row[2] = R::ZERO,
             2 => row[..3].fill(R::ZERO),
+            // Squares next to the end of the range.
+            3 => {
+                let least = (R::MIN_POSITIVE / R::EPSILON).sqrt();
+                for part in &mut row[..3] {
+                    *part = least * R::from_f64(2.0 * self.unit());
+                }
+            }
+            _ => {}
+        }
+        match self.below(80) {
+            0 => (row[5], row[6]) = (row[7], row[8]),
+            1 => row[5] = R::INFINITY,
+            2 => row[5..].fill(R::from_f64(self.unit())),
+            3 => row[6] = row[6] * R::from_f64(1e30),
+            // All on a line.
+            4 => (0..8).for_each(|corner| row[6 + 2 * corner] = row[5 + 2 * corner]),
+            5 => row[5..]
+                .iter_mut()
+                .for_each(|part| *part = *part * R::MIN_POSITIVE),
             _ => {}
         }
         row[3] = self.positive();
@@ -283,8 +302,8 @@ fn of_jacobian<R: Type>(jacobian: &WrenchJacobian<R>) -> [R; 6] {
 }
 
 /// What the kernel makes of a round row.
-pub fn of_round<R: Type>(row: &RoundRow<R>) -> [R; 27] {
-    of_pressure!(row[0], coupling => of_coupling(coupling, row))
+pub fn of_round<R: Type>(row: &RoundRow<R>) -> Option<[R; 27]> {
+    Some(of_pressure!(row[0], coupling => of_coupling(coupling, row)))
 }
 
 fn of_coupling<R: Type, C: DryReducedFriction<R>>(coupling: C, row: &RoundRow<R>) -> [R; 27] {
@@ -326,8 +345,8 @@ fn of_coupling<R: Type, C: DryReducedFriction<R>>(coupling: C, row: &RoundRow<R>
     found
 }
 
-/// What the kernel makes of a polygon's row.
-pub fn of_polygon<R: Type>(row: &PolygonRow<R>) -> [R; 13] {
+/// What the kernel makes of a polygon's row; nothing where edges cross, which the header does not look for.
+pub fn of_polygon<R: Type>(row: &PolygonRow<R>) -> Option<[R; 13]> {
     let count = row[4].to_f64() as usize;
     let mut corners = [[R::ZERO; 2]; 8];
     for (corner, given) in corners.iter_mut().zip(row[5..].chunks(2)) {
@@ -335,8 +354,10 @@ pub fn of_polygon<R: Type>(row: &PolygonRow<R>) -> [R; 13] {
     }
     let mut found = [R::ZERO; 13];
     let mut memory = [Edge::default(); 8];
-    let Ok(polygon) = Polygon::with_holes(&[&corners[..count]], &mut memory[..]) else {
-        return found;
+    let polygon = match Polygon::with_holes(&[&corners[..count]], &mut memory[..]) {
+        Ok(polygon) => polygon,
+        Err(OutlineError::Crossing { .. }) => return None,
+        Err(_) => return Some(found),
     };
     let friction = ShapeFriction::new(polygon, R::ONE).expect("a coefficient");
     let twist = Twist::new(row[0], row[1], row[2]);
@@ -345,5 +366,5 @@ pub fn of_polygon<R: Type>(row: &PolygonRow<R>) -> [R; 13] {
     found[1..4].copy_from_slice(&of_wrench(&friction.wrench(row[3], &twist)));
     found[4..7].copy_from_slice(&of_wrench(&wrench));
     found[7..].copy_from_slice(&of_jacobian(&jacobian));
-    found
+    Some(found)
 }
