@@ -32,7 +32,8 @@
  * contraction, results have the bits of RoundFriction::wrench, ::wrench_jacobian, RoundLimitSurface::gauge,
  * ::twist_normal_to, ::project_with_length, PlanarBody::step and ShapeFriction::wrench_and_jacobian, which tests
  * compare (NaN is NaN, of any payload). A device whose + - * / and roots round to nearest, subnormals included, gives
- * them too: so does CUDA with the flags below; no test of ours has run on one. Elsewhere results differ by rounding.
+ * them too, as CUDA promises with the flags below; no test of ours has run on one, and HIP is written for and not tried.
+ * Elsewhere results differ by rounding.
  *
  *   gcc, clang    -ffp-contract=off, no -ffast-math; SSE2 or another unit that rounds to the type (not x87)
  *   nvcc, NVRTC   --fmad=false, and the defaults -ftz=false -prec-div=true -prec-sqrt=true, no -use_fast_math
