@@ -5,7 +5,7 @@
  * logarithm of its own. C99, C++11 and later, CUDA, HIP, NVRTC. MIT OR Apache-2.0.
  *
  *   round patches    disk, ring, flat punch, Hertz, paraboloid: wrench, Jacobian, gauge, normal, projection, time step
- *   polygons         under uniform pressure, convex or not: wrench, Jacobian
+ *   polygons         under uniform pressure, convex or not: the same
  *
  * All names end in _f32 (float) or _f64 (double) and begin with tribos_kernel_, so that tribos.h, the interface of the
  * compiled library, may be included beside it.
@@ -26,11 +26,12 @@
  *   round wrench     force 7, torque 8 (ring 12, 10) from twists as given
  *   Jacobian         3e-15 (f32: 6e-6) of the larger of the entry and F/v
  *   gauge, project   1e-15 of the limits (f32: 3e-7, 4e-7 for lengths below 0.3 radii)
- *   polygon          6e-15 of mu N and mu N R up to 10 times as long as wide (f32: 2.5e-6), Jacobian 4e-14 (1e-5)
+ *   polygon          wrench 6e-15 of mu N and mu N R up to 10 times as long as wide (f32: 2.5e-6), Jacobian 4e-14 (1e-5);
+ *                    gauge 1e-14, normal and projection 1e-13 of the limits (f32: 1e-5)
  *
  * Bits. The text follows the Rust kernel tribos-core operation by operation. On a host with IEEE arithmetic and without
  * contraction, results have the bits of RoundFriction::wrench, ::wrench_jacobian, RoundLimitSurface::gauge,
- * ::twist_normal_to, ::project_with_length, PlanarBody::step and ShapeFriction::wrench_and_jacobian, which tests
+ * ::twist_normal_to, ::project_with_length, of ShapeFriction and ShapeLimitSurface, and of PlanarBody::step, which tests
  * compare (NaN is NaN, of any payload). A device whose + - * / and roots round to nearest, subnormals included, gives
  * them too, as CUDA promises with the flags below; no test of ours has run on one, and HIP is written for and not tried.
  * Elsewhere results differ by rounding.
@@ -1271,123 +1272,6 @@ TRIBOS_FN tribos_kernel_projection_f32 tribos_kernel_round_project_f32(
 	return width < beyond ? nearest : tribos_beside_f32_(pressure, wrench, strength, radius, nearest);
 }
 
-/* ---- The implicit time step of a body on a round patch ---- */
-
-TRIBOS_PART_ int tribos_same_f32_(tribos_kernel_wrench_f32 a, tribos_kernel_wrench_f32 b)
-{
-	return a.x == b.x && a.y == b.y && a.torque == b.torque;
-}
-
-/* A wrench that is carried made so short that it does not oppose what is wanted beyond it: friction gives no energy. */
-TRIBOS_RARE_ tribos_kernel_wrench_f32 tribos_shortened_f32_(
-	tribos_kernel_wrench_f32 carried, tribos_kernel_wrench_f32 wanted, float length)
-{
-	const float x = carried.x, y = carried.y, n = carried.torque / length, m = wanted.torque / length;
-	float size = fabsf(x) > 0.0f ? fabsf(x) : 0.0f, reached, factor;
-	size = fabsf(y) > size ? fabsf(y) : size;
-	size = fabsf(n) > size ? fabsf(n) : size;
-	reached = 0.0f + x / size * (wanted.x / size) + y / size * (wanted.y / size) + n / size * (m / size);
-	reached = reached / (0.0f + x / size * (x / size) + y / size * (y / size) + n / size * (n / size));
-	if (reached >= 1.0f || reached != reached)
-		return carried;
-	factor = reached > 0.0f ? reached : 0.0f;
-	carried.x = carried.x * factor;
-	carried.y = carried.y * factor;
-	carried.torque = carried.torque * factor;
-	return carried;
-}
-
-TRIBOS_PART_ tribos_kernel_wrench_f32 tribos_without_gain_f32_(
-	tribos_kernel_wrench_f32 carried, tribos_kernel_wrench_f32 wanted, float length)
-{
-	const float planar = carried.x * (wanted.x - carried.x) + carried.y * (wanted.y - carried.y);
-	const float gain = planar * (length * length) + carried.torque * (wanted.torque - carried.torque);
-	if (gain > 0.0f || tribos_same_f32_(carried, wanted))
-		return carried;
-	return tribos_shortened_f32_(carried, wanted, length);
-}
-
-/* The friction that brings the body to rest within a time. */
-TRIBOS_PART_ tribos_kernel_wrench_f32 tribos_stopping_f32_(
-	tribos_kernel_body_f32 body, tribos_kernel_twist_f32 twist, tribos_kernel_wrench_f32 push, float dt)
-{
-	const float mass = body.mass / dt, inertia = body.inertia / dt;
-	tribos_kernel_wrench_f32 wrench;
-	wrench.x = -(mass * twist.x + push.x);
-	wrench.y = -(mass * twist.y + push.y);
-	wrench.torque = -(inertia * twist.spin + push.torque);
-	return wrench;
-}
-
-TRIBOS_PART_ tribos_kernel_twist_f32 tribos_moved_f32_(tribos_kernel_body_f32 body, tribos_kernel_twist_f32 twist,
-	tribos_kernel_wrench_f32 push, tribos_kernel_wrench_f32 friction, float dt)
-{
-	const float rate = dt / body.mass, turn = dt / body.inertia;
-	twist.x = twist.x + rate * (push.x + friction.x);
-	twist.y = twist.y + rate * (push.y + friction.y);
-	twist.spin = twist.spin + turn * (push.torque + friction.torque);
-	return twist;
-}
-
-/* The motion of a body on a round patch after the time dt > 0 under friction and a constant push. Of second order in dt
- * while it slides; rest is exact; friction never gives energy. NaN for NaN. */
-TRIBOS_FN tribos_kernel_step_f32 tribos_kernel_round_step_f32(int pressure, tribos_kernel_body_f32 body,
-	tribos_kernel_twist_f32 twist, tribos_kernel_wrench_f32 push, float strength, float radius, float dt)
-{
-	const float length = sqrtf(body.inertia / body.mass), limit = tribos_limit_of_f32_(strength);
-	const float torque_limit = limit * (radius * tribos_spin_torque_f32_(pressure));
-	const tribos_kernel_wrench_f32 at_end = tribos_stopping_f32_(body, twist, push, dt);
-	const tribos_kernel_wrench_f32 half_way = tribos_stopping_f32_(body, twist, push, 0.5f * dt);
-	const int is_beyond = tribos_hypot_f32_(at_end.x, at_end.y) > 1.01f * limit
-		|| fabsf(at_end.torque) > 1.01f * torque_limit;
-	tribos_kernel_wrench_f32 wanted = is_beyond ? half_way : at_end, carried, ended;
-	tribos_kernel_step_f32 after, at_last;
-	/* One search in the text: at the end where the body may come to rest, at half time, and at the end of a motion that
-	 * has turned about. */
-	int stage = is_beyond ? 1 : 0, has_ended = 0;
-	after.is_at_rest = at_last.is_at_rest = 0;
-	ended = at_end;
-	for (;;) {
-		carried = tribos_without_gain_f32_(
-			tribos_kernel_round_project_f32(pressure, wanted, strength, radius, length).wrench, wanted, length);
-		if (stage == 0) {
-			if (tribos_same_f32_(carried, at_end)) {
-				after.twist.x = after.twist.y = after.twist.spin = 0.0f;
-				after.friction = at_end;
-				after.is_at_rest = 1;
-				return after;
-			}
-			ended = carried;
-			has_ended = 1;
-			wanted = half_way;
-			stage = 1;
-			continue;
-		}
-		if (stage == 1) {
-			after.twist = tribos_moved_f32_(body, twist, push, carried, dt);
-			after.friction = carried;
-			if (!(twist.x * after.twist.x + twist.y * after.twist.y < 0.0f
-				|| twist.spin * after.twist.spin < 0.0f))
-				return after;
-			if (!has_ended) {
-				wanted = at_end;
-				stage = 2;
-				continue;
-			}
-			carried = ended;
-		}
-		break;
-	}
-	at_last.twist = tribos_moved_f32_(body, twist, push, carried, dt);
-	at_last.friction = carried;
-	return carried.x * (0.5f * twist.x + 0.5f * at_last.twist.x)
-				+ carried.y * (0.5f * twist.y + 0.5f * at_last.twist.y)
-				+ carried.torque * (0.5f * twist.spin + 0.5f * at_last.twist.spin)
-			> 0.0f
-		? after
-		: at_last;
-}
-
 /* ---- Polygons under uniform pressure ---- */
 
 /* An edge, prepared: where it begins and how it lies, in radii about the centroid. */
@@ -1403,85 +1287,11 @@ typedef struct tribos_kernel_polygon_f32 {
 	float x, y;   /* the centroid, in the corners' coordinates */
 	float radius; /* distance of the farthest corner from it */
 	float area;   /* in units of radius2 */
+	float arm;    /* largest torque about the origin over the strength */
+	float reach;  /* bound of the corners' distances from the origin */
+	float rounding; /* of its dissipated power: grows with the aspect ratio of slender patches */
+	int count;   /* corners */
 } tribos_kernel_polygon_f32;
-
-/* Prepares a polygon of `count` >= 3 corners (x, y in turn), clockwise or counterclockwise; `edges` has room for as many.
- * Returns 1, or 0 where a corner is not finite or repeated, or the area is lost in rounding. Edges must not cross: that
- * alone is not checked. */
-TRIBOS_FN int tribos_kernel_polygon_prepare_f32(
-	const float *corners, int count, tribos_kernel_edge_f32 *edges, tribos_kernel_polygon_f32 *polygon)
-{
-	float unit = 0.0f, twice = 0.0f, size = 0.0f, sense, area = 0.0f, mx = 0.0f, my = 0.0f, third, cx, cy;
-	float radius = 0.0f;
-	int i;
-	if (count < 3)
-		return 0;
-	for (i = 0; i < count; ++i) {
-		const float *at = corners + 2 * i, *next = corners + 2 * (i + 1 < count ? i + 1 : 0);
-		const float dx = fabsf(at[0] - corners[0]), dy = fabsf(at[1] - corners[1]);
-		if (!(tribos_is_finite_f32_(at[0]) && tribos_is_finite_f32_(at[1])))
-			return 0;
-		if (at[0] == next[0] && at[1] == next[1])
-			return 0;
-		unit = dx > unit ? dx : unit;
-		unit = dy > unit ? dy : unit;
-	}
-	if (!tribos_is_finite_f32_(unit))
-		return 0;
-	/* Corners in units of the extent, for now where the edges will be. */
-	for (i = 0; i < count; ++i) {
-		edges[i].x = (corners[2 * i] - corners[0]) / unit;
-		edges[i].y = (corners[2 * i + 1] - corners[1]) / unit;
-	}
-	for (i = 0; i < count; ++i) {
-		const tribos_kernel_edge_f32 a = edges[i], b = edges[i + 1 < count ? i + 1 : 0];
-		twice = twice + (a.x * b.y - a.y * b.x);
-		size = size + (fabsf(a.x * b.y) + fabsf(a.y * b.x));
-	}
-	if (!(fabsf(twice) > 2.0f * 2.0f * 1.1920929e-7f * size + 1.1754944e-38f / 1.1920929e-7f) || twice == 0.0f)
-		return 0;
-	sense = copysignf(1.0f, twice);
-	for (i = 0; i < count; ++i) {
-		const tribos_kernel_edge_f32 a = edges[i], b = edges[i + 1 < count ? i + 1 : 0];
-		const float part = sense * (a.x * b.y - a.y * b.x);
-		area = area + part;
-		mx = mx + (a.x + b.x) * part;
-		my = my + (a.y + b.y) * part;
-	}
-	if (area <= 2.0f * 2.0f * 1.1920929e-7f * fabsf(twice) + 1.1754944e-38f / 1.1920929e-7f)
-		return 0;
-	third = 1.0f / (3.0f * area);
-	cx = mx * third;
-	cy = my * third;
-	for (i = 0; i < count; ++i) {
-		const float distance = tribos_hypot_f32_(edges[i].x - cx, edges[i].y - cy);
-		radius = distance > radius ? distance : radius;
-	}
-	polygon->x = corners[0] + cx * unit;
-	polygon->y = corners[1] + cy * unit;
-	polygon->radius = radius * unit;
-	polygon->area = 0.5f * area / (radius * radius);
-	if (!tribos_is_finite_f32_(polygon->x + polygon->y + polygon->radius))
-		return 0;
-	for (i = 0; i < count; ++i) {
-		edges[i].x = (edges[i].x - cx) / radius;
-		edges[i].y = (edges[i].y - cy) / radius;
-	}
-	for (i = 0; i < count; ++i) {
-		const tribos_kernel_edge_f32 a = edges[i], b = edges[i + 1 < count ? i + 1 : 0];
-		const int is_forward = twice > 0.0f;
-		const float from_x = is_forward ? a.x : b.x, from_y = is_forward ? a.y : b.y;
-		const float side_x = (is_forward ? b.x : a.x) - from_x, side_y = (is_forward ? b.y : a.y) - from_y;
-		const float length = tribos_hypot_f32_(side_x, side_y);
-		if (length == 0.0f)
-			return 0;
-		edges[i].length = length;
-		edges[i].tangent_x = side_x / length;
-		edges[i].tangent_y = side_y / length;
-		edges[i].offset = from_x * edges[i].tangent_y - from_y * edges[i].tangent_x;
-	}
-	return 1;
-}
 
 /* A motion (v, w) of the centroid in radii, |v|2 + w2 = 1, with 1 over what it was divided by. */
 typedef struct tribos_unit_motion_f32_ {
@@ -1712,7 +1522,7 @@ TRIBOS_PART_ tribos_kernel_wrench_f32 tribos_polygon_wrench_of_f32_(tribos_kerne
 
 /* Friction of a polygon under uniform pressure, against its twist. Zero at rest, NaN for infinite twists. */
 TRIBOS_FN tribos_kernel_wrench_f32 tribos_kernel_polygon_wrench_f32(const tribos_kernel_polygon_f32 *polygon,
-	const tribos_kernel_edge_f32 *edges, int count, tribos_kernel_twist_f32 twist, float strength)
+	const tribos_kernel_edge_f32 *edges, tribos_kernel_twist_f32 twist, float strength)
 {
 	tribos_unit_motion_f32_ motion;
 	tribos_kernel_wrench_f32 wrench;
@@ -1722,12 +1532,101 @@ TRIBOS_FN tribos_kernel_wrench_f32 tribos_kernel_polygon_wrench_f32(const tribos
 		return wrench;
 	}
 	return tribos_polygon_wrench_of_f32_(
-		*polygon, motion, tribos_edges_summed_f32_(edges, count, motion, 0), 1.0f / polygon->area, strength);
+		*polygon, motion, tribos_edges_summed_f32_(edges, polygon->count, motion, 0), 1.0f / polygon->area, strength);
 }
 
-/* The same with its derivatives by the twist, negative semidefinite and zero at rest. */
+/* Prepares a polygon of `count` >= 3 corners (x, y in turn), clockwise or counterclockwise; `edges` has room for as many.
+ * Returns 1, or 0 where a corner is not finite or repeated, or the area is lost in rounding. Edges must not cross: that
+ * alone is not checked. */
+TRIBOS_FN int tribos_kernel_polygon_prepare_f32(
+	const float *corners, int count, tribos_kernel_edge_f32 *edges, tribos_kernel_polygon_f32 *polygon)
+{
+	float unit = 0.0f, twice = 0.0f, size = 0.0f, sense, area = 0.0f, mx = 0.0f, my = 0.0f, third, cx, cy;
+	float radius = 0.0f, boundary = 0.0f, slender;
+	tribos_kernel_twist_f32 turn;
+	int i;
+	if (count < 3)
+		return 0;
+	for (i = 0; i < count; ++i) {
+		const float *at = corners + 2 * i, *next = corners + 2 * (i + 1 < count ? i + 1 : 0);
+		const float dx = fabsf(at[0] - corners[0]), dy = fabsf(at[1] - corners[1]);
+		if (!(tribos_is_finite_f32_(at[0]) && tribos_is_finite_f32_(at[1])))
+			return 0;
+		if (at[0] == next[0] && at[1] == next[1])
+			return 0;
+		unit = dx > unit ? dx : unit;
+		unit = dy > unit ? dy : unit;
+	}
+	if (!tribos_is_finite_f32_(unit))
+		return 0;
+	/* Corners in units of the extent, for now where the edges will be. */
+	for (i = 0; i < count; ++i) {
+		edges[i].x = (corners[2 * i] - corners[0]) / unit;
+		edges[i].y = (corners[2 * i + 1] - corners[1]) / unit;
+	}
+	for (i = 0; i < count; ++i) {
+		const tribos_kernel_edge_f32 a = edges[i], b = edges[i + 1 < count ? i + 1 : 0];
+		twice = twice + (a.x * b.y - a.y * b.x);
+		size = size + (fabsf(a.x * b.y) + fabsf(a.y * b.x));
+	}
+	if (!(fabsf(twice) > 2.0f * 2.0f * 1.1920929e-7f * size + 1.1754944e-38f / 1.1920929e-7f) || twice == 0.0f)
+		return 0;
+	sense = copysignf(1.0f, twice);
+	for (i = 0; i < count; ++i) {
+		const tribos_kernel_edge_f32 a = edges[i], b = edges[i + 1 < count ? i + 1 : 0];
+		const float part = sense * (a.x * b.y - a.y * b.x);
+		area = area + part;
+		mx = mx + (a.x + b.x) * part;
+		my = my + (a.y + b.y) * part;
+	}
+	if (area <= 2.0f * 2.0f * 1.1920929e-7f * fabsf(twice) + 1.1754944e-38f / 1.1920929e-7f)
+		return 0;
+	third = 1.0f / (3.0f * area);
+	cx = mx * third;
+	cy = my * third;
+	for (i = 0; i < count; ++i) {
+		const float distance = tribos_hypot_f32_(edges[i].x - cx, edges[i].y - cy);
+		radius = distance > radius ? distance : radius;
+	}
+	polygon->x = corners[0] + cx * unit;
+	polygon->y = corners[1] + cy * unit;
+	polygon->radius = radius * unit;
+	polygon->area = 0.5f * area / (radius * radius);
+	if (!tribos_is_finite_f32_(polygon->x + polygon->y + polygon->radius))
+		return 0;
+	for (i = 0; i < count; ++i) {
+		edges[i].x = (edges[i].x - cx) / radius;
+		edges[i].y = (edges[i].y - cy) / radius;
+	}
+	for (i = 0; i < count; ++i) {
+		const tribos_kernel_edge_f32 a = edges[i], b = edges[i + 1 < count ? i + 1 : 0];
+		const int is_forward = twice > 0.0f;
+		const float from_x = is_forward ? a.x : b.x, from_y = is_forward ? a.y : b.y;
+		const float side_x = (is_forward ? b.x : a.x) - from_x, side_y = (is_forward ? b.y : a.y) - from_y;
+		const float length = tribos_hypot_f32_(side_x, side_y);
+		if (length == 0.0f)
+			return 0;
+		edges[i].length = length;
+		edges[i].tangent_x = side_x / length;
+		edges[i].tangent_y = side_y / length;
+		edges[i].offset = from_x * edges[i].tangent_y - from_y * edges[i].tangent_x;
+	}
+	/* What its limit surface is measured by. */
+	polygon->count = count;
+	polygon->reach = polygon->radius + tribos_hypot_f32_(polygon->x, polygon->y);
+	for (i = 0; i < count; ++i)
+		boundary = boundary + edges[i].length;
+	slender = 0.25f * boundary / polygon->area;
+	polygon->rounding = 1.1920929e-7f * (slender > 1.0f ? slender : 1.0f);
+	turn.x = turn.y = 0.0f;
+	turn.spin = 1.0f;
+	polygon->arm = fabsf(tribos_kernel_polygon_wrench_f32(polygon, edges, turn, 1.0f).torque);
+	return 1;
+}
+
+/* Friction of a polygon with its derivatives by the twist, negative semidefinite and zero at rest. */
 TRIBOS_FN tribos_kernel_wrench_f32 tribos_kernel_polygon_wrench_jacobian_f32(const tribos_kernel_polygon_f32 *polygon,
-	const tribos_kernel_edge_f32 *edges, int count, tribos_kernel_twist_f32 twist, float strength,
+	const tribos_kernel_edge_f32 *edges, tribos_kernel_twist_f32 twist, float strength,
 	tribos_kernel_jacobian_f32 *jacobian)
 {
 	const float share = 1.0f / polygon->area, limit = -strength, radius = polygon->radius;
@@ -1740,7 +1639,7 @@ TRIBOS_FN tribos_kernel_wrench_f32 tribos_kernel_polygon_wrench_jacobian_f32(con
 		jacobian->xx = jacobian->xy = jacobian->xn = jacobian->yy = jacobian->yn = jacobian->nn = unit;
 		return wrench;
 	}
-	d = tribos_edges_summed_f32_(edges, count, motion, 1);
+	d = tribos_edges_summed_f32_(edges, polygon->count, motion, 1);
 	wrench = tribos_polygon_wrench_of_f32_(*polygon, motion, d, share, strength);
 	/* Second derivatives of the power, and their part across the twist. */
 	x = motion.x;
@@ -1783,6 +1682,480 @@ TRIBOS_FN tribos_kernel_wrench_f32 tribos_kernel_polygon_wrench_jacobian_f32(con
 	jacobian->yn = d.yn + from_y;
 	jacobian->nn = d.nn + 2.0f * (d.yn * x - d.xn * y) + (from_y * x - from_x * y);
 	return wrench;
+}
+/* ---- The limit surface of a polygon: convex functions of the twist, least by Newton's method ---- */
+
+typedef struct tribos_vector_f32_ {
+	float x, y, z;
+} tribos_vector_f32_;
+
+TRIBOS_PART_ float tribos_dot_f32_(tribos_vector_f32_ a, tribos_vector_f32_ b)
+{
+	return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+TRIBOS_PART_ float tribos_norm_f32_(tribos_vector_f32_ a)
+{
+	return tribos_hypot_f32_(tribos_hypot_f32_(a.x, a.y), a.z);
+}
+
+/* What is to be least at a twist t, of a wrench x in units of strength and arm: D(t)2/2 - x.t, whose minimum is the normal
+ * above x, or t.M t/2 + reach D(t) - x.t, with M = (1, 1, length2), whose minimum is the displacement to the nearest. */
+typedef struct tribos_goal_f32_ {
+	int is_gauge;
+	tribos_vector_f32_ wrench;
+	float reach, length_sq;
+} tribos_goal_f32_;
+
+/* Power, its gradient and its second derivatives there. */
+typedef struct tribos_power_f32_ {
+	float value;
+	tribos_vector_f32_ gradient;
+	tribos_kernel_jacobian_f32 hessian;
+} tribos_power_f32_;
+
+TRIBOS_PART_ tribos_power_f32_ tribos_power_at_f32_(
+	const tribos_kernel_polygon_f32 *polygon, const tribos_kernel_edge_f32 *edges, tribos_vector_f32_ at)
+{
+	const float inv_arm = 1.0f / polygon->arm;
+	tribos_kernel_twist_f32 twist;
+	tribos_kernel_jacobian_f32 j;
+	tribos_kernel_wrench_f32 wrench;
+	tribos_power_f32_ power;
+	twist.x = at.x;
+	twist.y = at.y;
+	twist.spin = at.z * inv_arm;
+	wrench = tribos_kernel_polygon_wrench_jacobian_f32(polygon, edges, twist, 1.0f, &j);
+	power.gradient.x = -wrench.x;
+	power.gradient.y = -wrench.y;
+	power.gradient.z = -(wrench.torque * inv_arm);
+	power.hessian.xx = -j.xx;
+	power.hessian.xy = -j.xy;
+	power.hessian.yy = -j.yy;
+	power.hessian.xn = -inv_arm * j.xn;
+	power.hessian.yn = -inv_arm * j.yn;
+	power.hessian.nn = -inv_arm * inv_arm * j.nn;
+	power.value = tribos_dot_f32_(power.gradient, at);
+	return power;
+}
+
+TRIBOS_PART_ tribos_vector_f32_ tribos_displacement_f32_(tribos_goal_f32_ goal, tribos_vector_f32_ at)
+{
+	at.z = goal.length_sq * at.z;
+	return at;
+}
+
+TRIBOS_PART_ float tribos_goal_value_f32_(tribos_goal_f32_ goal, tribos_vector_f32_ at, float power)
+{
+	if (goal.is_gauge)
+		return 0.5f * power * power - tribos_dot_f32_(goal.wrench, at);
+	return 0.5f * tribos_dot_f32_(at, tribos_displacement_f32_(goal, at)) + power * goal.reach
+		- tribos_dot_f32_(goal.wrench, at);
+}
+
+TRIBOS_PART_ tribos_vector_f32_ tribos_goal_gradient_f32_(
+	tribos_goal_f32_ goal, tribos_vector_f32_ at, tribos_power_f32_ power)
+{
+	const float factor = goal.is_gauge ? power.value : goal.reach;
+	tribos_vector_f32_ g;
+	g.x = power.gradient.x * factor;
+	g.y = power.gradient.y * factor;
+	g.z = power.gradient.z * factor;
+	if (!goal.is_gauge) {
+		g.x = at.x + g.x;
+		g.y = at.y + g.y;
+		g.z = goal.length_sq * at.z + g.z;
+	}
+	g.x = g.x - goal.wrench.x;
+	g.y = g.y - goal.wrench.y;
+	g.z = g.z - goal.wrench.z;
+	return g;
+}
+
+/* A step of Newton's method against a gradient; pivots that rounding has made too small are raised. */
+TRIBOS_PART_ tribos_vector_f32_ tribos_newton_f32_(
+	tribos_goal_f32_ goal, tribos_power_f32_ power, tribos_vector_f32_ right)
+{
+	const float factor = goal.is_gauge ? power.value : goal.reach, least = 4.0f * 1.1920929e-7f;
+	const tribos_vector_f32_ g = power.gradient;
+	const tribos_kernel_jacobian_f32 h = power.hessian;
+	const float xx = goal.is_gauge ? g.x * g.x + h.xx * factor : h.xx * factor + 1.0f;
+	const float yy = goal.is_gauge ? g.y * g.y + h.yy * factor : h.yy * factor + 1.0f;
+	const float zz = goal.is_gauge ? g.z * g.z + h.nn * factor : h.nn * factor + goal.length_sq;
+	const float xy = goal.is_gauge ? g.x * g.y + h.xy * factor : h.xy * factor;
+	const float xz = goal.is_gauge ? g.x * g.z + h.xn * factor : h.xn * factor;
+	const float yz = goal.is_gauge ? g.y * g.z + h.yn * factor : h.yn * factor;
+	const float a = xy / xx, b = xz / xx, of_y = yy - a * xy, y = of_y < least * yy ? least * yy : of_y;
+	const float c = (yz - a * xz) / y, of_z = zz - b * xz - c * c * y, z = of_z < least * zz ? least * zz : of_z;
+	const float second = right.y - a * right.x, third = right.z - b * right.x - c * second;
+	tribos_vector_f32_ step;
+	step.z = third / z;
+	step.y = second / y - c * step.z;
+	step.x = right.x / xx - a * step.y - b * step.z;
+	return step;
+}
+
+/* Where a goal is least, and the power there. */
+typedef struct tribos_least_f32_ {
+	tribos_vector_f32_ at;
+	tribos_power_f32_ power;
+	int is_found;
+} tribos_least_f32_;
+
+TRIBOS_RARE_ tribos_least_f32_ tribos_least_of_f32_(const tribos_kernel_polygon_f32 *polygon,
+	const tribos_kernel_edge_f32 *edges, tribos_goal_f32_ goal, tribos_vector_f32_ start)
+{
+	const float rounding = polygon->rounding, noise = 8.0f * rounding;
+	float size = 0.0f, descent = 0.0f, before = 0.0f, slack = 0.0f, factor = 1.0f;
+	int steps = 0, halvings = 0;
+	tribos_vector_f32_ next = start, step = start;
+	tribos_least_f32_ least;
+	least.at = start;
+	least.is_found = 1;
+	for (;;) {
+		const tribos_power_f32_ power = tribos_power_at_f32_(polygon, edges, next);
+		const float value = tribos_goal_value_f32_(goal, next, power.value);
+		const tribos_vector_f32_ gradient = tribos_goal_gradient_f32_(goal, next, power);
+		const float length = tribos_norm_f32_(gradient);
+		if (steps > 0) {
+			const float enough = before - 0.0001f * factor * descent, slope = tribos_dot_f32_(gradient, step);
+			const int is_level = value <= before + slack && slope >= -(0.9998f * descent);
+			const int gains = length < size || value < before - slack;
+			const int bends = size > 32.0f * rounding && fabsf(slope) < 0.5f * descent;
+			if (halvings < 30 && !(value <= enough || is_level)) {
+				factor = 0.5f * factor;
+				++halvings;
+				next.x = least.at.x - step.x * factor;
+				next.y = least.at.y - step.y * factor;
+				next.z = least.at.z - step.z * factor;
+				continue;
+			}
+			/* A full step that no longer shortens the gradient shows its rounding. */
+			if (factor == 1.0f && size < sqrtf(rounding) && !(gains || bends))
+				return least;
+		}
+		least.at = next;
+		least.power = power;
+		size = length;
+		if (size <= noise)
+			return least;
+		if (steps == 40 || size != size) {
+			least.is_found = size <= 64.0f * sqrtf(1.1920929e-7f);
+			return least;
+		}
+		++steps;
+		halvings = 0;
+		step = tribos_newton_f32_(goal, power, gradient);
+		descent = tribos_dot_f32_(gradient, step);
+		before = value;
+		slack = noise * (1.0f + fabsf(before));
+		factor = 1.0f;
+		next.x = least.at.x - step.x;
+		next.y = least.at.y - step.y;
+		next.z = least.at.z - step.z;
+	}
+}
+
+/* The wrench in units of strength and arm, and its length; 0 where it has no direction. */
+TRIBOS_PART_ float tribos_scaled_f32_(const tribos_kernel_polygon_f32 *polygon, tribos_kernel_wrench_f32 wrench,
+	float limit, tribos_vector_f32_ *scaled)
+{
+	float size;
+	scaled->x = wrench.x / limit;
+	scaled->y = wrench.y / limit;
+	scaled->z = wrench.torque / limit / polygon->arm;
+	size = tribos_norm_f32_(*scaled);
+	return size > 0.0f && tribos_is_finite_f32_(size) ? size : 0.0f;
+}
+
+/* The normal above a wrench of that length. */
+TRIBOS_PART_ tribos_goal_f32_ tribos_gauge_goal_f32_(tribos_vector_f32_ scaled, float size)
+{
+	tribos_goal_f32_ goal;
+	goal.is_gauge = 1;
+	goal.wrench.x = scaled.x / size;
+	goal.wrench.y = scaled.y / size;
+	goal.wrench.z = scaled.z / size;
+	goal.reach = goal.length_sq = 0.0f;
+	return goal;
+}
+
+/* The gauge of that wrench: no number where the search has missed. */
+TRIBOS_PART_ float tribos_gauge_of_f32_(tribos_goal_f32_ goal, float size, tribos_least_f32_ found)
+{
+	return size * (found.is_found ? tribos_dot_f32_(goal.wrench, found.at) / found.power.value : tribos_nan_f32_());
+}
+
+/* A twist of the search with |velocity|2 + (spin reach)2 = 1. */
+TRIBOS_PART_ tribos_kernel_twist_f32 tribos_normal_of_f32_(
+	const tribos_kernel_polygon_f32 *polygon, float x, float y, float z)
+{
+	const float spin = z / polygon->arm;
+	const float length = tribos_hypot_f32_(tribos_hypot_f32_(x, y), spin * polygon->reach);
+	tribos_kernel_twist_f32 normal;
+	normal.x = x / length;
+	normal.y = y / length;
+	normal.spin = spin / length;
+	return normal;
+}
+
+/* The smallest factor f >= 0 with wrench/f in the set, about the origin of the corners; NaN where the search has missed. */
+TRIBOS_FN float tribos_kernel_polygon_gauge_f32(const tribos_kernel_polygon_f32 *polygon,
+	const tribos_kernel_edge_f32 *edges, tribos_kernel_wrench_f32 wrench, float strength)
+{
+	tribos_vector_f32_ scaled;
+	const float size = tribos_scaled_f32_(polygon, wrench, tribos_limit_of_f32_(strength), &scaled);
+	tribos_goal_f32_ goal;
+	if (size == 0.0f) {
+		const float any = fabsf(wrench.x) + fabsf(wrench.y) + fabsf(wrench.torque);
+		return any == 0.0f || any != any ? any : tribos_infinity_f32_();
+	}
+	goal = tribos_gauge_goal_f32_(scaled, size);
+	return tribos_gauge_of_f32_(goal, size, tribos_least_of_f32_(polygon, edges, goal, goal.wrench));
+}
+
+/* The motion that a push causes, with |velocity|2 + (spin reach)2 = 1. Zero for no push, NaN for an infinite one. */
+TRIBOS_FN tribos_kernel_twist_f32 tribos_kernel_polygon_normal_f32(const tribos_kernel_polygon_f32 *polygon,
+	const tribos_kernel_edge_f32 *edges, tribos_kernel_wrench_f32 push, float strength)
+{
+	tribos_vector_f32_ scaled;
+	const float size = tribos_scaled_f32_(polygon, push, tribos_limit_of_f32_(strength), &scaled);
+	tribos_kernel_twist_f32 normal;
+	tribos_goal_f32_ goal;
+	tribos_least_f32_ found;
+	normal.x = push.x == 0.0f && push.y == 0.0f && push.torque == 0.0f ? 0.0f : tribos_nan_f32_();
+	normal.y = normal.spin = normal.x;
+	if (size == 0.0f)
+		return normal;
+	goal = tribos_gauge_goal_f32_(scaled, size);
+	found = tribos_least_of_f32_(polygon, edges, goal, goal.wrench);
+	return found.is_found ? tribos_normal_of_f32_(polygon, found.at.x, found.at.y, found.at.z) : normal;
+}
+
+/* The wrench of the set nearest to a given one, as tribos_kernel_round_project has it, about the origin of the corners. */
+TRIBOS_FN tribos_kernel_projection_f32 tribos_kernel_polygon_project_f32(const tribos_kernel_polygon_f32 *polygon,
+	const tribos_kernel_edge_f32 *edges, tribos_kernel_wrench_f32 wrench, float strength, float length)
+{
+	const float limit = tribos_limit_of_f32_(strength), arm = length / polygon->arm;
+	const float own = 24.0f * polygon->rounding, least = 64.0f * 1.1920929e-7f;
+	const float collar = own > 0.015625f ? 0.015625f : own > least ? own : least;
+	tribos_kernel_projection_f32 projection = tribos_held_f32_(wrench);
+	tribos_vector_f32_ scaled, start;
+	float size, gauge, along;
+	tribos_goal_f32_ goal;
+	tribos_least_f32_ found;
+	if (wrench.x == 0.0f && wrench.y == 0.0f && wrench.torque == 0.0f)
+		return projection;
+	size = tribos_scaled_f32_(polygon, wrench, limit, &scaled);
+	if (size == 0.0f || !(arm > 0.0f && tribos_is_finite_f32_(arm))) {
+		/* None is carried, or there is no nearest one. */
+		const tribos_kernel_twist_f32 normal = tribos_normal_of_f32_(
+			polygon, wrench.x, wrench.y, wrench.torque / (length * length) * polygon->arm);
+		const int is_number = tribos_is_finite_f32_(normal.spin) && tribos_is_finite_f32_(normal.x);
+		projection = tribos_unknown_f32_();
+		if (limit == 0.0f && length > 0.0f && is_number) {
+			projection.wrench.x = projection.wrench.y = projection.wrench.torque = 0.0f;
+			projection.normal = normal;
+		}
+		return projection;
+	}
+	goal = tribos_gauge_goal_f32_(scaled, size);
+	found = tribos_least_of_f32_(polygon, edges, goal, goal.wrench);
+	gauge = tribos_gauge_of_f32_(goal, size, found);
+	if (gauge < 1.0f - collar)
+		return projection;
+	projection.slides = 1;
+	if (gauge <= 1.0f + collar) {
+		projection.normal = tribos_normal_of_f32_(polygon, found.at.x, found.at.y, found.at.z);
+		return projection;
+	}
+	/* A wrench of any size is one of order 1 to the search, which starts along the normal above the wrench. */
+	goal.is_gauge = 0;
+	goal.reach = size > 1048576.0f ? 1.0f / size : 1.0f;
+	goal.wrench = size > 1048576.0f ? goal.wrench : scaled;
+	goal.length_sq = arm * arm;
+	along = (tribos_dot_f32_(goal.wrench, found.at) - found.power.value * goal.reach)
+		/ tribos_dot_f32_(found.at, tribos_displacement_f32_(goal, found.at));
+	start.x = found.at.x * along;
+	start.y = found.at.y * along;
+	start.z = found.at.z * along;
+	found = tribos_least_of_f32_(polygon, edges, goal, start);
+	projection.wrench.x = limit * found.power.gradient.x;
+	projection.wrench.y = limit * found.power.gradient.y;
+	projection.wrench.torque = limit * polygon->arm * found.power.gradient.z;
+	projection.normal = tribos_normal_of_f32_(polygon, found.at.x, found.at.y, found.at.z);
+	return projection;
+}
+
+/* ---- The implicit time step of a body on its patch ---- */
+
+/* A patch under a strength: round where there are no edges. */
+typedef struct tribos_set_f32_ {
+	int pressure;
+	const tribos_kernel_polygon_f32 *polygon;
+	const tribos_kernel_edge_f32 *edges;
+	float strength, radius;
+} tribos_set_f32_;
+
+TRIBOS_PART_ tribos_kernel_projection_f32 tribos_set_project_f32_(
+	tribos_set_f32_ set, tribos_kernel_wrench_f32 wrench, float length)
+{
+	if (set.edges)
+		return tribos_kernel_polygon_project_f32(set.polygon, set.edges, wrench, set.strength, length);
+	return tribos_kernel_round_project_f32(set.pressure, wrench, set.strength, set.radius, length);
+}
+
+/* The largest torque, which is the power at unit spin. */
+TRIBOS_PART_ float tribos_torque_limit_f32_(tribos_set_f32_ set)
+{
+	tribos_kernel_twist_f32 turn;
+	turn.x = turn.y = 0.0f;
+	turn.spin = 1.0f;
+	if (set.edges)
+		return -tribos_kernel_polygon_wrench_f32(
+			set.polygon, set.edges, turn, tribos_limit_of_f32_(set.strength)).torque;
+	return tribos_limit_of_f32_(set.strength) * (set.radius * tribos_spin_torque_f32_(set.pressure));
+}
+
+TRIBOS_PART_ int tribos_same_f32_(tribos_kernel_wrench_f32 a, tribos_kernel_wrench_f32 b)
+{
+	return a.x == b.x && a.y == b.y && a.torque == b.torque;
+}
+
+/* A wrench that is carried made so short that it does not oppose what is wanted beyond it: friction gives no energy. */
+TRIBOS_RARE_ tribos_kernel_wrench_f32 tribos_shortened_f32_(
+	tribos_kernel_wrench_f32 carried, tribos_kernel_wrench_f32 wanted, float length)
+{
+	const float x = carried.x, y = carried.y, n = carried.torque / length, m = wanted.torque / length;
+	float size = fabsf(x) > 0.0f ? fabsf(x) : 0.0f, reached, factor;
+	size = fabsf(y) > size ? fabsf(y) : size;
+	size = fabsf(n) > size ? fabsf(n) : size;
+	reached = 0.0f + x / size * (wanted.x / size) + y / size * (wanted.y / size) + n / size * (m / size);
+	reached = reached / (0.0f + x / size * (x / size) + y / size * (y / size) + n / size * (n / size));
+	if (reached >= 1.0f || reached != reached)
+		return carried;
+	factor = reached > 0.0f ? reached : 0.0f;
+	carried.x = carried.x * factor;
+	carried.y = carried.y * factor;
+	carried.torque = carried.torque * factor;
+	return carried;
+}
+
+TRIBOS_PART_ tribos_kernel_wrench_f32 tribos_without_gain_f32_(
+	tribos_kernel_wrench_f32 carried, tribos_kernel_wrench_f32 wanted, float length)
+{
+	const float planar = carried.x * (wanted.x - carried.x) + carried.y * (wanted.y - carried.y);
+	const float gain = planar * (length * length) + carried.torque * (wanted.torque - carried.torque);
+	if (gain > 0.0f || tribos_same_f32_(carried, wanted))
+		return carried;
+	return tribos_shortened_f32_(carried, wanted, length);
+}
+
+/* The friction that brings the body to rest within a time. */
+TRIBOS_PART_ tribos_kernel_wrench_f32 tribos_stopping_f32_(
+	tribos_kernel_body_f32 body, tribos_kernel_twist_f32 twist, tribos_kernel_wrench_f32 push, float dt)
+{
+	const float mass = body.mass / dt, inertia = body.inertia / dt;
+	tribos_kernel_wrench_f32 wrench;
+	wrench.x = -(mass * twist.x + push.x);
+	wrench.y = -(mass * twist.y + push.y);
+	wrench.torque = -(inertia * twist.spin + push.torque);
+	return wrench;
+}
+
+TRIBOS_PART_ tribos_kernel_twist_f32 tribos_moved_f32_(tribos_kernel_body_f32 body, tribos_kernel_twist_f32 twist,
+	tribos_kernel_wrench_f32 push, tribos_kernel_wrench_f32 friction, float dt)
+{
+	const float rate = dt / body.mass, turn = dt / body.inertia;
+	twist.x = twist.x + rate * (push.x + friction.x);
+	twist.y = twist.y + rate * (push.y + friction.y);
+	twist.spin = twist.spin + turn * (push.torque + friction.torque);
+	return twist;
+}
+
+TRIBOS_PART_ tribos_kernel_step_f32 tribos_step_f32_(tribos_kernel_body_f32 body, tribos_kernel_twist_f32 twist,
+	tribos_kernel_wrench_f32 push, tribos_set_f32_ set, float dt)
+{
+	const float length = sqrtf(body.inertia / body.mass), limit = tribos_limit_of_f32_(set.strength);
+	const float torque_limit = tribos_torque_limit_f32_(set);
+	const tribos_kernel_wrench_f32 at_end = tribos_stopping_f32_(body, twist, push, dt);
+	const tribos_kernel_wrench_f32 half_way = tribos_stopping_f32_(body, twist, push, 0.5f * dt);
+	const int is_beyond = tribos_hypot_f32_(at_end.x, at_end.y) > 1.01f * limit
+		|| fabsf(at_end.torque) > 1.01f * torque_limit;
+	tribos_kernel_wrench_f32 wanted = is_beyond ? half_way : at_end, carried, ended;
+	tribos_kernel_step_f32 after, at_last;
+	/* One search in the text: at the end where the body may come to rest, at half time, and at the end of a motion that
+	 * has turned about. */
+	int stage = is_beyond ? 1 : 0, has_ended = 0;
+	after.is_at_rest = at_last.is_at_rest = 0;
+	ended = at_end;
+	for (;;) {
+		carried = tribos_without_gain_f32_(
+			tribos_set_project_f32_(set, wanted, length).wrench, wanted, length);
+		if (stage == 0) {
+			if (tribos_same_f32_(carried, at_end)) {
+				after.twist.x = after.twist.y = after.twist.spin = 0.0f;
+				after.friction = at_end;
+				after.is_at_rest = 1;
+				return after;
+			}
+			ended = carried;
+			has_ended = 1;
+			wanted = half_way;
+			stage = 1;
+			continue;
+		}
+		if (stage == 1) {
+			after.twist = tribos_moved_f32_(body, twist, push, carried, dt);
+			after.friction = carried;
+			if (!(twist.x * after.twist.x + twist.y * after.twist.y < 0.0f
+				|| twist.spin * after.twist.spin < 0.0f))
+				return after;
+			if (!has_ended) {
+				wanted = at_end;
+				stage = 2;
+				continue;
+			}
+			carried = ended;
+		}
+		break;
+	}
+	at_last.twist = tribos_moved_f32_(body, twist, push, carried, dt);
+	at_last.friction = carried;
+	return carried.x * (0.5f * twist.x + 0.5f * at_last.twist.x)
+				+ carried.y * (0.5f * twist.y + 0.5f * at_last.twist.y)
+				+ carried.torque * (0.5f * twist.spin + 0.5f * at_last.twist.spin)
+			> 0.0f
+		? after
+		: at_last;
+}
+
+/* The motion of a body on a round patch after the time dt > 0 under friction and a constant push. Of second order in dt
+ * while it slides; rest is exact; friction never gives energy. NaN for NaN. */
+TRIBOS_FN tribos_kernel_step_f32 tribos_kernel_round_step_f32(int pressure, tribos_kernel_body_f32 body,
+	tribos_kernel_twist_f32 twist, tribos_kernel_wrench_f32 push, float strength, float radius, float dt)
+{
+	tribos_set_f32_ set;
+	set.pressure = pressure;
+	set.polygon = 0;
+	set.edges = 0;
+	set.strength = strength;
+	set.radius = radius;
+	return tribos_step_f32_(body, twist, push, set, dt);
+}
+
+/* The same on a polygon; twist, push and the body's centre of mass are at the origin of the corners' coordinates. */
+TRIBOS_FN tribos_kernel_step_f32 tribos_kernel_polygon_step_f32(const tribos_kernel_polygon_f32 *polygon,
+	const tribos_kernel_edge_f32 *edges, tribos_kernel_body_f32 body, tribos_kernel_twist_f32 twist,
+	tribos_kernel_wrench_f32 push, float strength, float dt)
+{
+	tribos_set_f32_ set;
+	set.pressure = TRIBOS_KERNEL_DISK;
+	set.polygon = polygon;
+	set.edges = edges;
+	set.strength = strength;
+	set.radius = 0.0f;
+	return tribos_step_f32_(body, twist, push, set, dt);
 }
 
 /* ================================ double ================================ */
@@ -3152,123 +3525,6 @@ TRIBOS_FN tribos_kernel_projection_f64 tribos_kernel_round_project_f64(
 	return width < beyond ? nearest : tribos_beside_f64_(pressure, wrench, strength, radius, nearest);
 }
 
-/* ---- The implicit time step of a body on a round patch ---- */
-
-TRIBOS_PART_ int tribos_same_f64_(tribos_kernel_wrench_f64 a, tribos_kernel_wrench_f64 b)
-{
-	return a.x == b.x && a.y == b.y && a.torque == b.torque;
-}
-
-/* A wrench that is carried made so short that it does not oppose what is wanted beyond it: friction gives no energy. */
-TRIBOS_RARE_ tribos_kernel_wrench_f64 tribos_shortened_f64_(
-	tribos_kernel_wrench_f64 carried, tribos_kernel_wrench_f64 wanted, double length)
-{
-	const double x = carried.x, y = carried.y, n = carried.torque / length, m = wanted.torque / length;
-	double size = fabs(x) > 0.0 ? fabs(x) : 0.0, reached, factor;
-	size = fabs(y) > size ? fabs(y) : size;
-	size = fabs(n) > size ? fabs(n) : size;
-	reached = 0.0 + x / size * (wanted.x / size) + y / size * (wanted.y / size) + n / size * (m / size);
-	reached = reached / (0.0 + x / size * (x / size) + y / size * (y / size) + n / size * (n / size));
-	if (reached >= 1.0 || reached != reached)
-		return carried;
-	factor = reached > 0.0 ? reached : 0.0;
-	carried.x = carried.x * factor;
-	carried.y = carried.y * factor;
-	carried.torque = carried.torque * factor;
-	return carried;
-}
-
-TRIBOS_PART_ tribos_kernel_wrench_f64 tribos_without_gain_f64_(
-	tribos_kernel_wrench_f64 carried, tribos_kernel_wrench_f64 wanted, double length)
-{
-	const double planar = carried.x * (wanted.x - carried.x) + carried.y * (wanted.y - carried.y);
-	const double gain = planar * (length * length) + carried.torque * (wanted.torque - carried.torque);
-	if (gain > 0.0 || tribos_same_f64_(carried, wanted))
-		return carried;
-	return tribos_shortened_f64_(carried, wanted, length);
-}
-
-/* The friction that brings the body to rest within a time. */
-TRIBOS_PART_ tribos_kernel_wrench_f64 tribos_stopping_f64_(
-	tribos_kernel_body_f64 body, tribos_kernel_twist_f64 twist, tribos_kernel_wrench_f64 push, double dt)
-{
-	const double mass = body.mass / dt, inertia = body.inertia / dt;
-	tribos_kernel_wrench_f64 wrench;
-	wrench.x = -(mass * twist.x + push.x);
-	wrench.y = -(mass * twist.y + push.y);
-	wrench.torque = -(inertia * twist.spin + push.torque);
-	return wrench;
-}
-
-TRIBOS_PART_ tribos_kernel_twist_f64 tribos_moved_f64_(tribos_kernel_body_f64 body, tribos_kernel_twist_f64 twist,
-	tribos_kernel_wrench_f64 push, tribos_kernel_wrench_f64 friction, double dt)
-{
-	const double rate = dt / body.mass, turn = dt / body.inertia;
-	twist.x = twist.x + rate * (push.x + friction.x);
-	twist.y = twist.y + rate * (push.y + friction.y);
-	twist.spin = twist.spin + turn * (push.torque + friction.torque);
-	return twist;
-}
-
-/* The motion of a body on a round patch after the time dt > 0 under friction and a constant push. Of second order in dt
- * while it slides; rest is exact; friction never gives energy. NaN for NaN. */
-TRIBOS_FN tribos_kernel_step_f64 tribos_kernel_round_step_f64(int pressure, tribos_kernel_body_f64 body,
-	tribos_kernel_twist_f64 twist, tribos_kernel_wrench_f64 push, double strength, double radius, double dt)
-{
-	const double length = sqrt(body.inertia / body.mass), limit = tribos_limit_of_f64_(strength);
-	const double torque_limit = limit * (radius * tribos_spin_torque_f64_(pressure));
-	const tribos_kernel_wrench_f64 at_end = tribos_stopping_f64_(body, twist, push, dt);
-	const tribos_kernel_wrench_f64 half_way = tribos_stopping_f64_(body, twist, push, 0.5 * dt);
-	const int is_beyond = tribos_hypot_f64_(at_end.x, at_end.y) > 1.01 * limit
-		|| fabs(at_end.torque) > 1.01 * torque_limit;
-	tribos_kernel_wrench_f64 wanted = is_beyond ? half_way : at_end, carried, ended;
-	tribos_kernel_step_f64 after, at_last;
-	/* One search in the text: at the end where the body may come to rest, at half time, and at the end of a motion that
-	 * has turned about. */
-	int stage = is_beyond ? 1 : 0, has_ended = 0;
-	after.is_at_rest = at_last.is_at_rest = 0;
-	ended = at_end;
-	for (;;) {
-		carried = tribos_without_gain_f64_(
-			tribos_kernel_round_project_f64(pressure, wanted, strength, radius, length).wrench, wanted, length);
-		if (stage == 0) {
-			if (tribos_same_f64_(carried, at_end)) {
-				after.twist.x = after.twist.y = after.twist.spin = 0.0;
-				after.friction = at_end;
-				after.is_at_rest = 1;
-				return after;
-			}
-			ended = carried;
-			has_ended = 1;
-			wanted = half_way;
-			stage = 1;
-			continue;
-		}
-		if (stage == 1) {
-			after.twist = tribos_moved_f64_(body, twist, push, carried, dt);
-			after.friction = carried;
-			if (!(twist.x * after.twist.x + twist.y * after.twist.y < 0.0
-				|| twist.spin * after.twist.spin < 0.0))
-				return after;
-			if (!has_ended) {
-				wanted = at_end;
-				stage = 2;
-				continue;
-			}
-			carried = ended;
-		}
-		break;
-	}
-	at_last.twist = tribos_moved_f64_(body, twist, push, carried, dt);
-	at_last.friction = carried;
-	return carried.x * (0.5 * twist.x + 0.5 * at_last.twist.x)
-				+ carried.y * (0.5 * twist.y + 0.5 * at_last.twist.y)
-				+ carried.torque * (0.5 * twist.spin + 0.5 * at_last.twist.spin)
-			> 0.0
-		? after
-		: at_last;
-}
-
 /* ---- Polygons under uniform pressure ---- */
 
 /* An edge, prepared: where it begins and how it lies, in radii about the centroid. */
@@ -3284,85 +3540,11 @@ typedef struct tribos_kernel_polygon_f64 {
 	double x, y;   /* the centroid, in the corners' coordinates */
 	double radius; /* distance of the farthest corner from it */
 	double area;   /* in units of radius2 */
+	double arm;    /* largest torque about the origin over the strength */
+	double reach;  /* bound of the corners' distances from the origin */
+	double rounding; /* of its dissipated power: grows with the aspect ratio of slender patches */
+	int count;   /* corners */
 } tribos_kernel_polygon_f64;
-
-/* Prepares a polygon of `count` >= 3 corners (x, y in turn), clockwise or counterclockwise; `edges` has room for as many.
- * Returns 1, or 0 where a corner is not finite or repeated, or the area is lost in rounding. Edges must not cross: that
- * alone is not checked. */
-TRIBOS_FN int tribos_kernel_polygon_prepare_f64(
-	const double *corners, int count, tribos_kernel_edge_f64 *edges, tribos_kernel_polygon_f64 *polygon)
-{
-	double unit = 0.0, twice = 0.0, size = 0.0, sense, area = 0.0, mx = 0.0, my = 0.0, third, cx, cy;
-	double radius = 0.0;
-	int i;
-	if (count < 3)
-		return 0;
-	for (i = 0; i < count; ++i) {
-		const double *at = corners + 2 * i, *next = corners + 2 * (i + 1 < count ? i + 1 : 0);
-		const double dx = fabs(at[0] - corners[0]), dy = fabs(at[1] - corners[1]);
-		if (!(tribos_is_finite_f64_(at[0]) && tribos_is_finite_f64_(at[1])))
-			return 0;
-		if (at[0] == next[0] && at[1] == next[1])
-			return 0;
-		unit = dx > unit ? dx : unit;
-		unit = dy > unit ? dy : unit;
-	}
-	if (!tribos_is_finite_f64_(unit))
-		return 0;
-	/* Corners in units of the extent, for now where the edges will be. */
-	for (i = 0; i < count; ++i) {
-		edges[i].x = (corners[2 * i] - corners[0]) / unit;
-		edges[i].y = (corners[2 * i + 1] - corners[1]) / unit;
-	}
-	for (i = 0; i < count; ++i) {
-		const tribos_kernel_edge_f64 a = edges[i], b = edges[i + 1 < count ? i + 1 : 0];
-		twice = twice + (a.x * b.y - a.y * b.x);
-		size = size + (fabs(a.x * b.y) + fabs(a.y * b.x));
-	}
-	if (!(fabs(twice) > 2.0 * 2.0 * 2.220446049250313e-16 * size + 2.2250738585072014e-308 / 2.220446049250313e-16) || twice == 0.0)
-		return 0;
-	sense = copysign(1.0, twice);
-	for (i = 0; i < count; ++i) {
-		const tribos_kernel_edge_f64 a = edges[i], b = edges[i + 1 < count ? i + 1 : 0];
-		const double part = sense * (a.x * b.y - a.y * b.x);
-		area = area + part;
-		mx = mx + (a.x + b.x) * part;
-		my = my + (a.y + b.y) * part;
-	}
-	if (area <= 2.0 * 2.0 * 2.220446049250313e-16 * fabs(twice) + 2.2250738585072014e-308 / 2.220446049250313e-16)
-		return 0;
-	third = 1.0 / (3.0 * area);
-	cx = mx * third;
-	cy = my * third;
-	for (i = 0; i < count; ++i) {
-		const double distance = tribos_hypot_f64_(edges[i].x - cx, edges[i].y - cy);
-		radius = distance > radius ? distance : radius;
-	}
-	polygon->x = corners[0] + cx * unit;
-	polygon->y = corners[1] + cy * unit;
-	polygon->radius = radius * unit;
-	polygon->area = 0.5 * area / (radius * radius);
-	if (!tribos_is_finite_f64_(polygon->x + polygon->y + polygon->radius))
-		return 0;
-	for (i = 0; i < count; ++i) {
-		edges[i].x = (edges[i].x - cx) / radius;
-		edges[i].y = (edges[i].y - cy) / radius;
-	}
-	for (i = 0; i < count; ++i) {
-		const tribos_kernel_edge_f64 a = edges[i], b = edges[i + 1 < count ? i + 1 : 0];
-		const int is_forward = twice > 0.0;
-		const double from_x = is_forward ? a.x : b.x, from_y = is_forward ? a.y : b.y;
-		const double side_x = (is_forward ? b.x : a.x) - from_x, side_y = (is_forward ? b.y : a.y) - from_y;
-		const double length = tribos_hypot_f64_(side_x, side_y);
-		if (length == 0.0)
-			return 0;
-		edges[i].length = length;
-		edges[i].tangent_x = side_x / length;
-		edges[i].tangent_y = side_y / length;
-		edges[i].offset = from_x * edges[i].tangent_y - from_y * edges[i].tangent_x;
-	}
-	return 1;
-}
 
 /* A motion (v, w) of the centroid in radii, |v|2 + w2 = 1, with 1 over what it was divided by. */
 typedef struct tribos_unit_motion_f64_ {
@@ -3601,7 +3783,7 @@ TRIBOS_PART_ tribos_kernel_wrench_f64 tribos_polygon_wrench_of_f64_(tribos_kerne
 
 /* Friction of a polygon under uniform pressure, against its twist. Zero at rest, NaN for infinite twists. */
 TRIBOS_FN tribos_kernel_wrench_f64 tribos_kernel_polygon_wrench_f64(const tribos_kernel_polygon_f64 *polygon,
-	const tribos_kernel_edge_f64 *edges, int count, tribos_kernel_twist_f64 twist, double strength)
+	const tribos_kernel_edge_f64 *edges, tribos_kernel_twist_f64 twist, double strength)
 {
 	tribos_unit_motion_f64_ motion;
 	tribos_kernel_wrench_f64 wrench;
@@ -3611,12 +3793,101 @@ TRIBOS_FN tribos_kernel_wrench_f64 tribos_kernel_polygon_wrench_f64(const tribos
 		return wrench;
 	}
 	return tribos_polygon_wrench_of_f64_(
-		*polygon, motion, tribos_edges_summed_f64_(edges, count, motion, 0), 1.0 / polygon->area, strength);
+		*polygon, motion, tribos_edges_summed_f64_(edges, polygon->count, motion, 0), 1.0 / polygon->area, strength);
 }
 
-/* The same with its derivatives by the twist, negative semidefinite and zero at rest. */
+/* Prepares a polygon of `count` >= 3 corners (x, y in turn), clockwise or counterclockwise; `edges` has room for as many.
+ * Returns 1, or 0 where a corner is not finite or repeated, or the area is lost in rounding. Edges must not cross: that
+ * alone is not checked. */
+TRIBOS_FN int tribos_kernel_polygon_prepare_f64(
+	const double *corners, int count, tribos_kernel_edge_f64 *edges, tribos_kernel_polygon_f64 *polygon)
+{
+	double unit = 0.0, twice = 0.0, size = 0.0, sense, area = 0.0, mx = 0.0, my = 0.0, third, cx, cy;
+	double radius = 0.0, boundary = 0.0, slender;
+	tribos_kernel_twist_f64 turn;
+	int i;
+	if (count < 3)
+		return 0;
+	for (i = 0; i < count; ++i) {
+		const double *at = corners + 2 * i, *next = corners + 2 * (i + 1 < count ? i + 1 : 0);
+		const double dx = fabs(at[0] - corners[0]), dy = fabs(at[1] - corners[1]);
+		if (!(tribos_is_finite_f64_(at[0]) && tribos_is_finite_f64_(at[1])))
+			return 0;
+		if (at[0] == next[0] && at[1] == next[1])
+			return 0;
+		unit = dx > unit ? dx : unit;
+		unit = dy > unit ? dy : unit;
+	}
+	if (!tribos_is_finite_f64_(unit))
+		return 0;
+	/* Corners in units of the extent, for now where the edges will be. */
+	for (i = 0; i < count; ++i) {
+		edges[i].x = (corners[2 * i] - corners[0]) / unit;
+		edges[i].y = (corners[2 * i + 1] - corners[1]) / unit;
+	}
+	for (i = 0; i < count; ++i) {
+		const tribos_kernel_edge_f64 a = edges[i], b = edges[i + 1 < count ? i + 1 : 0];
+		twice = twice + (a.x * b.y - a.y * b.x);
+		size = size + (fabs(a.x * b.y) + fabs(a.y * b.x));
+	}
+	if (!(fabs(twice) > 2.0 * 2.0 * 2.220446049250313e-16 * size + 2.2250738585072014e-308 / 2.220446049250313e-16) || twice == 0.0)
+		return 0;
+	sense = copysign(1.0, twice);
+	for (i = 0; i < count; ++i) {
+		const tribos_kernel_edge_f64 a = edges[i], b = edges[i + 1 < count ? i + 1 : 0];
+		const double part = sense * (a.x * b.y - a.y * b.x);
+		area = area + part;
+		mx = mx + (a.x + b.x) * part;
+		my = my + (a.y + b.y) * part;
+	}
+	if (area <= 2.0 * 2.0 * 2.220446049250313e-16 * fabs(twice) + 2.2250738585072014e-308 / 2.220446049250313e-16)
+		return 0;
+	third = 1.0 / (3.0 * area);
+	cx = mx * third;
+	cy = my * third;
+	for (i = 0; i < count; ++i) {
+		const double distance = tribos_hypot_f64_(edges[i].x - cx, edges[i].y - cy);
+		radius = distance > radius ? distance : radius;
+	}
+	polygon->x = corners[0] + cx * unit;
+	polygon->y = corners[1] + cy * unit;
+	polygon->radius = radius * unit;
+	polygon->area = 0.5 * area / (radius * radius);
+	if (!tribos_is_finite_f64_(polygon->x + polygon->y + polygon->radius))
+		return 0;
+	for (i = 0; i < count; ++i) {
+		edges[i].x = (edges[i].x - cx) / radius;
+		edges[i].y = (edges[i].y - cy) / radius;
+	}
+	for (i = 0; i < count; ++i) {
+		const tribos_kernel_edge_f64 a = edges[i], b = edges[i + 1 < count ? i + 1 : 0];
+		const int is_forward = twice > 0.0;
+		const double from_x = is_forward ? a.x : b.x, from_y = is_forward ? a.y : b.y;
+		const double side_x = (is_forward ? b.x : a.x) - from_x, side_y = (is_forward ? b.y : a.y) - from_y;
+		const double length = tribos_hypot_f64_(side_x, side_y);
+		if (length == 0.0)
+			return 0;
+		edges[i].length = length;
+		edges[i].tangent_x = side_x / length;
+		edges[i].tangent_y = side_y / length;
+		edges[i].offset = from_x * edges[i].tangent_y - from_y * edges[i].tangent_x;
+	}
+	/* What its limit surface is measured by. */
+	polygon->count = count;
+	polygon->reach = polygon->radius + tribos_hypot_f64_(polygon->x, polygon->y);
+	for (i = 0; i < count; ++i)
+		boundary = boundary + edges[i].length;
+	slender = 0.25 * boundary / polygon->area;
+	polygon->rounding = 2.220446049250313e-16 * (slender > 1.0 ? slender : 1.0);
+	turn.x = turn.y = 0.0;
+	turn.spin = 1.0;
+	polygon->arm = fabs(tribos_kernel_polygon_wrench_f64(polygon, edges, turn, 1.0).torque);
+	return 1;
+}
+
+/* Friction of a polygon with its derivatives by the twist, negative semidefinite and zero at rest. */
 TRIBOS_FN tribos_kernel_wrench_f64 tribos_kernel_polygon_wrench_jacobian_f64(const tribos_kernel_polygon_f64 *polygon,
-	const tribos_kernel_edge_f64 *edges, int count, tribos_kernel_twist_f64 twist, double strength,
+	const tribos_kernel_edge_f64 *edges, tribos_kernel_twist_f64 twist, double strength,
 	tribos_kernel_jacobian_f64 *jacobian)
 {
 	const double share = 1.0 / polygon->area, limit = -strength, radius = polygon->radius;
@@ -3629,7 +3900,7 @@ TRIBOS_FN tribos_kernel_wrench_f64 tribos_kernel_polygon_wrench_jacobian_f64(con
 		jacobian->xx = jacobian->xy = jacobian->xn = jacobian->yy = jacobian->yn = jacobian->nn = unit;
 		return wrench;
 	}
-	d = tribos_edges_summed_f64_(edges, count, motion, 1);
+	d = tribos_edges_summed_f64_(edges, polygon->count, motion, 1);
 	wrench = tribos_polygon_wrench_of_f64_(*polygon, motion, d, share, strength);
 	/* Second derivatives of the power, and their part across the twist. */
 	x = motion.x;
@@ -3672,6 +3943,480 @@ TRIBOS_FN tribos_kernel_wrench_f64 tribos_kernel_polygon_wrench_jacobian_f64(con
 	jacobian->yn = d.yn + from_y;
 	jacobian->nn = d.nn + 2.0 * (d.yn * x - d.xn * y) + (from_y * x - from_x * y);
 	return wrench;
+}
+/* ---- The limit surface of a polygon: convex functions of the twist, least by Newton's method ---- */
+
+typedef struct tribos_vector_f64_ {
+	double x, y, z;
+} tribos_vector_f64_;
+
+TRIBOS_PART_ double tribos_dot_f64_(tribos_vector_f64_ a, tribos_vector_f64_ b)
+{
+	return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+TRIBOS_PART_ double tribos_norm_f64_(tribos_vector_f64_ a)
+{
+	return tribos_hypot_f64_(tribos_hypot_f64_(a.x, a.y), a.z);
+}
+
+/* What is to be least at a twist t, of a wrench x in units of strength and arm: D(t)2/2 - x.t, whose minimum is the normal
+ * above x, or t.M t/2 + reach D(t) - x.t, with M = (1, 1, length2), whose minimum is the displacement to the nearest. */
+typedef struct tribos_goal_f64_ {
+	int is_gauge;
+	tribos_vector_f64_ wrench;
+	double reach, length_sq;
+} tribos_goal_f64_;
+
+/* Power, its gradient and its second derivatives there. */
+typedef struct tribos_power_f64_ {
+	double value;
+	tribos_vector_f64_ gradient;
+	tribos_kernel_jacobian_f64 hessian;
+} tribos_power_f64_;
+
+TRIBOS_PART_ tribos_power_f64_ tribos_power_at_f64_(
+	const tribos_kernel_polygon_f64 *polygon, const tribos_kernel_edge_f64 *edges, tribos_vector_f64_ at)
+{
+	const double inv_arm = 1.0 / polygon->arm;
+	tribos_kernel_twist_f64 twist;
+	tribos_kernel_jacobian_f64 j;
+	tribos_kernel_wrench_f64 wrench;
+	tribos_power_f64_ power;
+	twist.x = at.x;
+	twist.y = at.y;
+	twist.spin = at.z * inv_arm;
+	wrench = tribos_kernel_polygon_wrench_jacobian_f64(polygon, edges, twist, 1.0, &j);
+	power.gradient.x = -wrench.x;
+	power.gradient.y = -wrench.y;
+	power.gradient.z = -(wrench.torque * inv_arm);
+	power.hessian.xx = -j.xx;
+	power.hessian.xy = -j.xy;
+	power.hessian.yy = -j.yy;
+	power.hessian.xn = -inv_arm * j.xn;
+	power.hessian.yn = -inv_arm * j.yn;
+	power.hessian.nn = -inv_arm * inv_arm * j.nn;
+	power.value = tribos_dot_f64_(power.gradient, at);
+	return power;
+}
+
+TRIBOS_PART_ tribos_vector_f64_ tribos_displacement_f64_(tribos_goal_f64_ goal, tribos_vector_f64_ at)
+{
+	at.z = goal.length_sq * at.z;
+	return at;
+}
+
+TRIBOS_PART_ double tribos_goal_value_f64_(tribos_goal_f64_ goal, tribos_vector_f64_ at, double power)
+{
+	if (goal.is_gauge)
+		return 0.5 * power * power - tribos_dot_f64_(goal.wrench, at);
+	return 0.5 * tribos_dot_f64_(at, tribos_displacement_f64_(goal, at)) + power * goal.reach
+		- tribos_dot_f64_(goal.wrench, at);
+}
+
+TRIBOS_PART_ tribos_vector_f64_ tribos_goal_gradient_f64_(
+	tribos_goal_f64_ goal, tribos_vector_f64_ at, tribos_power_f64_ power)
+{
+	const double factor = goal.is_gauge ? power.value : goal.reach;
+	tribos_vector_f64_ g;
+	g.x = power.gradient.x * factor;
+	g.y = power.gradient.y * factor;
+	g.z = power.gradient.z * factor;
+	if (!goal.is_gauge) {
+		g.x = at.x + g.x;
+		g.y = at.y + g.y;
+		g.z = goal.length_sq * at.z + g.z;
+	}
+	g.x = g.x - goal.wrench.x;
+	g.y = g.y - goal.wrench.y;
+	g.z = g.z - goal.wrench.z;
+	return g;
+}
+
+/* A step of Newton's method against a gradient; pivots that rounding has made too small are raised. */
+TRIBOS_PART_ tribos_vector_f64_ tribos_newton_f64_(
+	tribos_goal_f64_ goal, tribos_power_f64_ power, tribos_vector_f64_ right)
+{
+	const double factor = goal.is_gauge ? power.value : goal.reach, least = 4.0 * 2.220446049250313e-16;
+	const tribos_vector_f64_ g = power.gradient;
+	const tribos_kernel_jacobian_f64 h = power.hessian;
+	const double xx = goal.is_gauge ? g.x * g.x + h.xx * factor : h.xx * factor + 1.0;
+	const double yy = goal.is_gauge ? g.y * g.y + h.yy * factor : h.yy * factor + 1.0;
+	const double zz = goal.is_gauge ? g.z * g.z + h.nn * factor : h.nn * factor + goal.length_sq;
+	const double xy = goal.is_gauge ? g.x * g.y + h.xy * factor : h.xy * factor;
+	const double xz = goal.is_gauge ? g.x * g.z + h.xn * factor : h.xn * factor;
+	const double yz = goal.is_gauge ? g.y * g.z + h.yn * factor : h.yn * factor;
+	const double a = xy / xx, b = xz / xx, of_y = yy - a * xy, y = of_y < least * yy ? least * yy : of_y;
+	const double c = (yz - a * xz) / y, of_z = zz - b * xz - c * c * y, z = of_z < least * zz ? least * zz : of_z;
+	const double second = right.y - a * right.x, third = right.z - b * right.x - c * second;
+	tribos_vector_f64_ step;
+	step.z = third / z;
+	step.y = second / y - c * step.z;
+	step.x = right.x / xx - a * step.y - b * step.z;
+	return step;
+}
+
+/* Where a goal is least, and the power there. */
+typedef struct tribos_least_f64_ {
+	tribos_vector_f64_ at;
+	tribos_power_f64_ power;
+	int is_found;
+} tribos_least_f64_;
+
+TRIBOS_RARE_ tribos_least_f64_ tribos_least_of_f64_(const tribos_kernel_polygon_f64 *polygon,
+	const tribos_kernel_edge_f64 *edges, tribos_goal_f64_ goal, tribos_vector_f64_ start)
+{
+	const double rounding = polygon->rounding, noise = 8.0 * rounding;
+	double size = 0.0, descent = 0.0, before = 0.0, slack = 0.0, factor = 1.0;
+	int steps = 0, halvings = 0;
+	tribos_vector_f64_ next = start, step = start;
+	tribos_least_f64_ least;
+	least.at = start;
+	least.is_found = 1;
+	for (;;) {
+		const tribos_power_f64_ power = tribos_power_at_f64_(polygon, edges, next);
+		const double value = tribos_goal_value_f64_(goal, next, power.value);
+		const tribos_vector_f64_ gradient = tribos_goal_gradient_f64_(goal, next, power);
+		const double length = tribos_norm_f64_(gradient);
+		if (steps > 0) {
+			const double enough = before - 0.0001 * factor * descent, slope = tribos_dot_f64_(gradient, step);
+			const int is_level = value <= before + slack && slope >= -(0.9998 * descent);
+			const int gains = length < size || value < before - slack;
+			const int bends = size > 32.0 * rounding && fabs(slope) < 0.5 * descent;
+			if (halvings < 30 && !(value <= enough || is_level)) {
+				factor = 0.5 * factor;
+				++halvings;
+				next.x = least.at.x - step.x * factor;
+				next.y = least.at.y - step.y * factor;
+				next.z = least.at.z - step.z * factor;
+				continue;
+			}
+			/* A full step that no longer shortens the gradient shows its rounding. */
+			if (factor == 1.0 && size < sqrt(rounding) && !(gains || bends))
+				return least;
+		}
+		least.at = next;
+		least.power = power;
+		size = length;
+		if (size <= noise)
+			return least;
+		if (steps == 40 || size != size) {
+			least.is_found = size <= 64.0 * sqrt(2.220446049250313e-16);
+			return least;
+		}
+		++steps;
+		halvings = 0;
+		step = tribos_newton_f64_(goal, power, gradient);
+		descent = tribos_dot_f64_(gradient, step);
+		before = value;
+		slack = noise * (1.0 + fabs(before));
+		factor = 1.0;
+		next.x = least.at.x - step.x;
+		next.y = least.at.y - step.y;
+		next.z = least.at.z - step.z;
+	}
+}
+
+/* The wrench in units of strength and arm, and its length; 0 where it has no direction. */
+TRIBOS_PART_ double tribos_scaled_f64_(const tribos_kernel_polygon_f64 *polygon, tribos_kernel_wrench_f64 wrench,
+	double limit, tribos_vector_f64_ *scaled)
+{
+	double size;
+	scaled->x = wrench.x / limit;
+	scaled->y = wrench.y / limit;
+	scaled->z = wrench.torque / limit / polygon->arm;
+	size = tribos_norm_f64_(*scaled);
+	return size > 0.0 && tribos_is_finite_f64_(size) ? size : 0.0;
+}
+
+/* The normal above a wrench of that length. */
+TRIBOS_PART_ tribos_goal_f64_ tribos_gauge_goal_f64_(tribos_vector_f64_ scaled, double size)
+{
+	tribos_goal_f64_ goal;
+	goal.is_gauge = 1;
+	goal.wrench.x = scaled.x / size;
+	goal.wrench.y = scaled.y / size;
+	goal.wrench.z = scaled.z / size;
+	goal.reach = goal.length_sq = 0.0;
+	return goal;
+}
+
+/* The gauge of that wrench: no number where the search has missed. */
+TRIBOS_PART_ double tribos_gauge_of_f64_(tribos_goal_f64_ goal, double size, tribos_least_f64_ found)
+{
+	return size * (found.is_found ? tribos_dot_f64_(goal.wrench, found.at) / found.power.value : tribos_nan_f64_());
+}
+
+/* A twist of the search with |velocity|2 + (spin reach)2 = 1. */
+TRIBOS_PART_ tribos_kernel_twist_f64 tribos_normal_of_f64_(
+	const tribos_kernel_polygon_f64 *polygon, double x, double y, double z)
+{
+	const double spin = z / polygon->arm;
+	const double length = tribos_hypot_f64_(tribos_hypot_f64_(x, y), spin * polygon->reach);
+	tribos_kernel_twist_f64 normal;
+	normal.x = x / length;
+	normal.y = y / length;
+	normal.spin = spin / length;
+	return normal;
+}
+
+/* The smallest factor f >= 0 with wrench/f in the set, about the origin of the corners; NaN where the search has missed. */
+TRIBOS_FN double tribos_kernel_polygon_gauge_f64(const tribos_kernel_polygon_f64 *polygon,
+	const tribos_kernel_edge_f64 *edges, tribos_kernel_wrench_f64 wrench, double strength)
+{
+	tribos_vector_f64_ scaled;
+	const double size = tribos_scaled_f64_(polygon, wrench, tribos_limit_of_f64_(strength), &scaled);
+	tribos_goal_f64_ goal;
+	if (size == 0.0) {
+		const double any = fabs(wrench.x) + fabs(wrench.y) + fabs(wrench.torque);
+		return any == 0.0 || any != any ? any : tribos_infinity_f64_();
+	}
+	goal = tribos_gauge_goal_f64_(scaled, size);
+	return tribos_gauge_of_f64_(goal, size, tribos_least_of_f64_(polygon, edges, goal, goal.wrench));
+}
+
+/* The motion that a push causes, with |velocity|2 + (spin reach)2 = 1. Zero for no push, NaN for an infinite one. */
+TRIBOS_FN tribos_kernel_twist_f64 tribos_kernel_polygon_normal_f64(const tribos_kernel_polygon_f64 *polygon,
+	const tribos_kernel_edge_f64 *edges, tribos_kernel_wrench_f64 push, double strength)
+{
+	tribos_vector_f64_ scaled;
+	const double size = tribos_scaled_f64_(polygon, push, tribos_limit_of_f64_(strength), &scaled);
+	tribos_kernel_twist_f64 normal;
+	tribos_goal_f64_ goal;
+	tribos_least_f64_ found;
+	normal.x = push.x == 0.0 && push.y == 0.0 && push.torque == 0.0 ? 0.0 : tribos_nan_f64_();
+	normal.y = normal.spin = normal.x;
+	if (size == 0.0)
+		return normal;
+	goal = tribos_gauge_goal_f64_(scaled, size);
+	found = tribos_least_of_f64_(polygon, edges, goal, goal.wrench);
+	return found.is_found ? tribos_normal_of_f64_(polygon, found.at.x, found.at.y, found.at.z) : normal;
+}
+
+/* The wrench of the set nearest to a given one, as tribos_kernel_round_project has it, about the origin of the corners. */
+TRIBOS_FN tribos_kernel_projection_f64 tribos_kernel_polygon_project_f64(const tribos_kernel_polygon_f64 *polygon,
+	const tribos_kernel_edge_f64 *edges, tribos_kernel_wrench_f64 wrench, double strength, double length)
+{
+	const double limit = tribos_limit_of_f64_(strength), arm = length / polygon->arm;
+	const double own = 24.0 * polygon->rounding, least = 64.0 * 2.220446049250313e-16;
+	const double collar = own > 0.015625 ? 0.015625 : own > least ? own : least;
+	tribos_kernel_projection_f64 projection = tribos_held_f64_(wrench);
+	tribos_vector_f64_ scaled, start;
+	double size, gauge, along;
+	tribos_goal_f64_ goal;
+	tribos_least_f64_ found;
+	if (wrench.x == 0.0 && wrench.y == 0.0 && wrench.torque == 0.0)
+		return projection;
+	size = tribos_scaled_f64_(polygon, wrench, limit, &scaled);
+	if (size == 0.0 || !(arm > 0.0 && tribos_is_finite_f64_(arm))) {
+		/* None is carried, or there is no nearest one. */
+		const tribos_kernel_twist_f64 normal = tribos_normal_of_f64_(
+			polygon, wrench.x, wrench.y, wrench.torque / (length * length) * polygon->arm);
+		const int is_number = tribos_is_finite_f64_(normal.spin) && tribos_is_finite_f64_(normal.x);
+		projection = tribos_unknown_f64_();
+		if (limit == 0.0 && length > 0.0 && is_number) {
+			projection.wrench.x = projection.wrench.y = projection.wrench.torque = 0.0;
+			projection.normal = normal;
+		}
+		return projection;
+	}
+	goal = tribos_gauge_goal_f64_(scaled, size);
+	found = tribos_least_of_f64_(polygon, edges, goal, goal.wrench);
+	gauge = tribos_gauge_of_f64_(goal, size, found);
+	if (gauge < 1.0 - collar)
+		return projection;
+	projection.slides = 1;
+	if (gauge <= 1.0 + collar) {
+		projection.normal = tribos_normal_of_f64_(polygon, found.at.x, found.at.y, found.at.z);
+		return projection;
+	}
+	/* A wrench of any size is one of order 1 to the search, which starts along the normal above the wrench. */
+	goal.is_gauge = 0;
+	goal.reach = size > 1048576.0 ? 1.0 / size : 1.0;
+	goal.wrench = size > 1048576.0 ? goal.wrench : scaled;
+	goal.length_sq = arm * arm;
+	along = (tribos_dot_f64_(goal.wrench, found.at) - found.power.value * goal.reach)
+		/ tribos_dot_f64_(found.at, tribos_displacement_f64_(goal, found.at));
+	start.x = found.at.x * along;
+	start.y = found.at.y * along;
+	start.z = found.at.z * along;
+	found = tribos_least_of_f64_(polygon, edges, goal, start);
+	projection.wrench.x = limit * found.power.gradient.x;
+	projection.wrench.y = limit * found.power.gradient.y;
+	projection.wrench.torque = limit * polygon->arm * found.power.gradient.z;
+	projection.normal = tribos_normal_of_f64_(polygon, found.at.x, found.at.y, found.at.z);
+	return projection;
+}
+
+/* ---- The implicit time step of a body on its patch ---- */
+
+/* A patch under a strength: round where there are no edges. */
+typedef struct tribos_set_f64_ {
+	int pressure;
+	const tribos_kernel_polygon_f64 *polygon;
+	const tribos_kernel_edge_f64 *edges;
+	double strength, radius;
+} tribos_set_f64_;
+
+TRIBOS_PART_ tribos_kernel_projection_f64 tribos_set_project_f64_(
+	tribos_set_f64_ set, tribos_kernel_wrench_f64 wrench, double length)
+{
+	if (set.edges)
+		return tribos_kernel_polygon_project_f64(set.polygon, set.edges, wrench, set.strength, length);
+	return tribos_kernel_round_project_f64(set.pressure, wrench, set.strength, set.radius, length);
+}
+
+/* The largest torque, which is the power at unit spin. */
+TRIBOS_PART_ double tribos_torque_limit_f64_(tribos_set_f64_ set)
+{
+	tribos_kernel_twist_f64 turn;
+	turn.x = turn.y = 0.0;
+	turn.spin = 1.0;
+	if (set.edges)
+		return -tribos_kernel_polygon_wrench_f64(
+			set.polygon, set.edges, turn, tribos_limit_of_f64_(set.strength)).torque;
+	return tribos_limit_of_f64_(set.strength) * (set.radius * tribos_spin_torque_f64_(set.pressure));
+}
+
+TRIBOS_PART_ int tribos_same_f64_(tribos_kernel_wrench_f64 a, tribos_kernel_wrench_f64 b)
+{
+	return a.x == b.x && a.y == b.y && a.torque == b.torque;
+}
+
+/* A wrench that is carried made so short that it does not oppose what is wanted beyond it: friction gives no energy. */
+TRIBOS_RARE_ tribos_kernel_wrench_f64 tribos_shortened_f64_(
+	tribos_kernel_wrench_f64 carried, tribos_kernel_wrench_f64 wanted, double length)
+{
+	const double x = carried.x, y = carried.y, n = carried.torque / length, m = wanted.torque / length;
+	double size = fabs(x) > 0.0 ? fabs(x) : 0.0, reached, factor;
+	size = fabs(y) > size ? fabs(y) : size;
+	size = fabs(n) > size ? fabs(n) : size;
+	reached = 0.0 + x / size * (wanted.x / size) + y / size * (wanted.y / size) + n / size * (m / size);
+	reached = reached / (0.0 + x / size * (x / size) + y / size * (y / size) + n / size * (n / size));
+	if (reached >= 1.0 || reached != reached)
+		return carried;
+	factor = reached > 0.0 ? reached : 0.0;
+	carried.x = carried.x * factor;
+	carried.y = carried.y * factor;
+	carried.torque = carried.torque * factor;
+	return carried;
+}
+
+TRIBOS_PART_ tribos_kernel_wrench_f64 tribos_without_gain_f64_(
+	tribos_kernel_wrench_f64 carried, tribos_kernel_wrench_f64 wanted, double length)
+{
+	const double planar = carried.x * (wanted.x - carried.x) + carried.y * (wanted.y - carried.y);
+	const double gain = planar * (length * length) + carried.torque * (wanted.torque - carried.torque);
+	if (gain > 0.0 || tribos_same_f64_(carried, wanted))
+		return carried;
+	return tribos_shortened_f64_(carried, wanted, length);
+}
+
+/* The friction that brings the body to rest within a time. */
+TRIBOS_PART_ tribos_kernel_wrench_f64 tribos_stopping_f64_(
+	tribos_kernel_body_f64 body, tribos_kernel_twist_f64 twist, tribos_kernel_wrench_f64 push, double dt)
+{
+	const double mass = body.mass / dt, inertia = body.inertia / dt;
+	tribos_kernel_wrench_f64 wrench;
+	wrench.x = -(mass * twist.x + push.x);
+	wrench.y = -(mass * twist.y + push.y);
+	wrench.torque = -(inertia * twist.spin + push.torque);
+	return wrench;
+}
+
+TRIBOS_PART_ tribos_kernel_twist_f64 tribos_moved_f64_(tribos_kernel_body_f64 body, tribos_kernel_twist_f64 twist,
+	tribos_kernel_wrench_f64 push, tribos_kernel_wrench_f64 friction, double dt)
+{
+	const double rate = dt / body.mass, turn = dt / body.inertia;
+	twist.x = twist.x + rate * (push.x + friction.x);
+	twist.y = twist.y + rate * (push.y + friction.y);
+	twist.spin = twist.spin + turn * (push.torque + friction.torque);
+	return twist;
+}
+
+TRIBOS_PART_ tribos_kernel_step_f64 tribos_step_f64_(tribos_kernel_body_f64 body, tribos_kernel_twist_f64 twist,
+	tribos_kernel_wrench_f64 push, tribos_set_f64_ set, double dt)
+{
+	const double length = sqrt(body.inertia / body.mass), limit = tribos_limit_of_f64_(set.strength);
+	const double torque_limit = tribos_torque_limit_f64_(set);
+	const tribos_kernel_wrench_f64 at_end = tribos_stopping_f64_(body, twist, push, dt);
+	const tribos_kernel_wrench_f64 half_way = tribos_stopping_f64_(body, twist, push, 0.5 * dt);
+	const int is_beyond = tribos_hypot_f64_(at_end.x, at_end.y) > 1.01 * limit
+		|| fabs(at_end.torque) > 1.01 * torque_limit;
+	tribos_kernel_wrench_f64 wanted = is_beyond ? half_way : at_end, carried, ended;
+	tribos_kernel_step_f64 after, at_last;
+	/* One search in the text: at the end where the body may come to rest, at half time, and at the end of a motion that
+	 * has turned about. */
+	int stage = is_beyond ? 1 : 0, has_ended = 0;
+	after.is_at_rest = at_last.is_at_rest = 0;
+	ended = at_end;
+	for (;;) {
+		carried = tribos_without_gain_f64_(
+			tribos_set_project_f64_(set, wanted, length).wrench, wanted, length);
+		if (stage == 0) {
+			if (tribos_same_f64_(carried, at_end)) {
+				after.twist.x = after.twist.y = after.twist.spin = 0.0;
+				after.friction = at_end;
+				after.is_at_rest = 1;
+				return after;
+			}
+			ended = carried;
+			has_ended = 1;
+			wanted = half_way;
+			stage = 1;
+			continue;
+		}
+		if (stage == 1) {
+			after.twist = tribos_moved_f64_(body, twist, push, carried, dt);
+			after.friction = carried;
+			if (!(twist.x * after.twist.x + twist.y * after.twist.y < 0.0
+				|| twist.spin * after.twist.spin < 0.0))
+				return after;
+			if (!has_ended) {
+				wanted = at_end;
+				stage = 2;
+				continue;
+			}
+			carried = ended;
+		}
+		break;
+	}
+	at_last.twist = tribos_moved_f64_(body, twist, push, carried, dt);
+	at_last.friction = carried;
+	return carried.x * (0.5 * twist.x + 0.5 * at_last.twist.x)
+				+ carried.y * (0.5 * twist.y + 0.5 * at_last.twist.y)
+				+ carried.torque * (0.5 * twist.spin + 0.5 * at_last.twist.spin)
+			> 0.0
+		? after
+		: at_last;
+}
+
+/* The motion of a body on a round patch after the time dt > 0 under friction and a constant push. Of second order in dt
+ * while it slides; rest is exact; friction never gives energy. NaN for NaN. */
+TRIBOS_FN tribos_kernel_step_f64 tribos_kernel_round_step_f64(int pressure, tribos_kernel_body_f64 body,
+	tribos_kernel_twist_f64 twist, tribos_kernel_wrench_f64 push, double strength, double radius, double dt)
+{
+	tribos_set_f64_ set;
+	set.pressure = pressure;
+	set.polygon = 0;
+	set.edges = 0;
+	set.strength = strength;
+	set.radius = radius;
+	return tribos_step_f64_(body, twist, push, set, dt);
+}
+
+/* The same on a polygon; twist, push and the body's centre of mass are at the origin of the corners' coordinates. */
+TRIBOS_FN tribos_kernel_step_f64 tribos_kernel_polygon_step_f64(const tribos_kernel_polygon_f64 *polygon,
+	const tribos_kernel_edge_f64 *edges, tribos_kernel_body_f64 body, tribos_kernel_twist_f64 twist,
+	tribos_kernel_wrench_f64 push, double strength, double dt)
+{
+	tribos_set_f64_ set;
+	set.pressure = TRIBOS_KERNEL_DISK;
+	set.polygon = polygon;
+	set.edges = edges;
+	set.strength = strength;
+	set.radius = 0.0;
+	return tribos_step_f64_(body, twist, push, set, dt);
 }
 
 #undef TRIBOS_PART_

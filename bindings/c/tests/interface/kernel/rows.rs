@@ -2,18 +2,20 @@
 
 use super::numbers::Type;
 use tribos_core::contact::TimeStep;
+use tribos_core::coupling::RoundFriction;
 use tribos_core::coupling::coulomb::{
     CoulombDisk, CoulombHertz, CoulombParaboloid, CoulombPunch, CoulombRing,
 };
 use tribos_core::coupling::flat::ShapeFriction;
-use tribos_core::coupling::{DryReducedFriction, RoundFriction};
-use tribos_core::limit_surface::{FrictionSet, Projection, Region, RoundLimitSurface};
+use tribos_core::limit_surface::{
+    FrictionSet, Projection, Region, RoundLimitSurface, ShapeLimitSurface,
+};
 use tribos_core::patch::outline::{Edge, OutlineError, Polygon};
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
-/// Names of a round row's results.
-pub const ROUND: [&str; 27] = [
+/// Names of the results of a row.
+const RESULTS: [&str; 31] = [
     "wrench x",
     "wrench y",
     "wrench torque",
@@ -41,28 +43,24 @@ pub const ROUND: [&str; 27] = [
     "step's friction y",
     "step's friction torque",
     "is at rest",
-];
-/// Names of a polygon's results.
-pub const POLYGON: [&str; 13] = [
     "is a patch",
-    "wrench x",
-    "wrench y",
-    "wrench torque",
     "x beside the Jacobian",
     "y beside the Jacobian",
     "torque beside the Jacobian",
-    "xx",
-    "xy",
-    "xn",
-    "yy",
-    "yn",
-    "nn",
 ];
 
-/// A row of a round patch.
-pub type RoundRow<R> = [R; 13];
-/// A row of a polygon: twist, strength, number of corners, corners.
-pub type PolygonRow<R> = [R; 21];
+/// The name of a result.
+pub fn name(result: usize) -> &'static str {
+    RESULTS.get(result).copied().unwrap_or_default()
+}
+
+/// What every row begins with: twist, push, strength, radius (of a polygon the number of its corners), length, mass,
+/// inertia and time step.
+const COMMON: usize = 12;
+/// That, and the pressure.
+pub type RoundRow<R> = [R; COMMON + 1];
+/// That, and room for eight corners.
+pub type PolygonRow<R> = [R; COMMON + 16];
 
 /// The random numbers of a row.
 pub struct Draw(u64);
@@ -123,17 +121,13 @@ impl Draw {
         }
     }
 
-    /// A row of which the last parts have to be what constructors take.
-    pub fn round<R: Type>(&mut self) -> RoundRow<R> {
+    /// The common part, of a patch of some radius; the last five are what constructors take. `wrench` has the
+    /// friction of a twist.
+    fn common<R: Type>(&mut self, radius: R, wrench: impl Fn(R, [R; 3]) -> [R; 3]) -> [R; COMMON] {
         let any = |draw: &mut Self| R::from_f64(draw.any(R::MOST));
-        let pressure = R::from_f64(self.below(5) as f64);
-        let [strength, radius]: [R; 2] = [self.positive(), self.positive()];
-        let strength = if self.below(100) == 0 {
-            R::ZERO
-        } else {
-            strength
-        };
-        let [mass, inertia, dt]: [R; 3] = [self.positive(), self.positive(), self.positive()];
+        let [strength, mass, inertia, dt]: [R; 4] = [(); 4].map(|()| self.positive());
+        let is_none = self.below(100) == 0;
+        let strength = if is_none { R::ZERO } else { strength };
         let is_body = PlanarBody::new(mass, inertia).is_ok();
         let inertia = if is_body { inertia } else { mass };
         let length = match self.below(20) {
@@ -141,39 +135,37 @@ impl Draw {
             1..=4 => radius * R::from_f64(self.size(4.0)),
             _ => radius * R::from_f64(self.size(0.5)),
         };
-        let mut twist = [any(self), any(self), any(self)];
+        let mut twist = [(); 3].map(|()| any(self));
+        let nearly = R::from_f64(1.0 + self.size(1.0) * 1e-8);
         match self.below(12) {
             // Equal speeds, and nearly equal ones.
             0 => twist = [twist[0], R::ZERO, twist[0] / radius],
-            1 => {
-                twist = [
-                    twist[0],
-                    R::ZERO,
-                    twist[0] / radius * R::from_f64(1.0 + self.size(1.0) * 1e-8),
-                ]
-            }
+            1 => twist = [twist[0], R::ZERO, twist[0] / radius * nearly],
             2 => twist = [R::ZERO; 3],
+            // Squares next to the end of the range.
+            3 => {
+                let least = (R::MIN_POSITIVE / R::EPSILON).sqrt();
+                twist = [(); 3].map(|()| least * R::from_f64(2.0 * self.unit()));
+            }
             _ => {}
         }
         let near = R::from_f64(2.0 * self.unit());
-        let mut push = [any(self), any(self), any(self)];
-        match self.below(6) {
-            0 => {}
+        let push = match self.below(6) {
+            0 => [(); 3].map(|()| any(self)),
             // On the surface and beside it.
             1 | 2 => {
                 let factor = match self.below(3) {
-                    0 => R::ONE,
+                    0 => -R::ONE,
                     1 => near,
                     _ => R::ONE + R::EPSILON * R::from_f64(400.0 * (self.unit() - 0.5)),
                 };
-                let [x, y, n] = of_surface(pressure, strength, radius, twist);
-                push = [x * factor, y * factor, n * factor];
+                wrench(strength, twist).map(|part| part * factor)
             }
             _ => {
                 let [x, y, n] = [(); 3].map(|()| R::from_f64(4.0 * (self.unit() - 0.5)));
-                push = [strength * x, strength * y, strength * radius * n];
+                [strength * x, strength * y, strength * radius * n]
             }
-        }
+        };
         if self.below(3) > 0 {
             // What friction may bring to rest within the step, or nearly.
             let at = R::from_f64(self.size(1.0)) * strength * dt;
@@ -181,56 +173,61 @@ impl Draw {
         }
         let ([x, y, n], [a, b, c]) = (twist, push);
         [
-            pressure, x, y, n, a, b, c, strength, radius, length, mass, inertia, dt,
+            x, y, n, a, b, c, strength, radius, length, mass, inertia, dt,
         ]
     }
 
-    /// A polygon that is star-shaped about some place, and a twist.
+    /// A row of a round patch.
+    pub fn round<R: Type>(&mut self) -> RoundRow<R> {
+        let (pressure, radius) = (R::from_f64(self.below(5) as f64), self.positive());
+        let mut row = [pressure; COMMON + 1];
+        let common = self.common(radius, |strength, twist| {
+            of_surface(pressure, strength, radius, twist)
+        });
+        row[..COMMON].copy_from_slice(&common);
+        row
+    }
+
+    /// A row of a polygon that is star-shaped about some place, or spoiled.
     pub fn polygon<R: Type>(&mut self) -> PolygonRow<R> {
-        let mut row = [R::ZERO; 21];
+        let mut row = [R::ZERO; COMMON + 16];
         let count = 3 + self.below(6) as usize;
         let [size, x, y] = [self.size(2.0), self.size(1.0), self.size(1.0)];
-        let stretch = self.size(0.5);
-        let sense = if self.below(2) == 0 { 1.0 } else { -1.0 };
-        for corner in 0..count {
+        let (stretch, sense) = (self.size(0.5), if self.below(2) == 0 { 1.0 } else { -1.0 });
+        let (common, corners) = row.split_at_mut(COMMON);
+        for (corner, at) in corners.chunks_mut(2).take(count).enumerate() {
             let turn = (corner as f64 + 0.8 * self.unit()) / count as f64;
             let (sin, cos) = turns(sense * turn);
             let from = size * (0.4 + self.unit());
-            row[5 + 2 * corner] = R::from_f64(x + from * cos * stretch);
-            row[6 + 2 * corner] = R::from_f64(y + from * sin);
-        }
-        for part in &mut row[..3] {
-            *part = R::from_f64(self.any(R::MOST));
-        }
-        let place = [row[5], row[6]];
-        match self.below(8) {
-            // About a corner, and translations.
-            0 => (row[0], row[1]) = (row[2] * place[1], -(row[2] * place[0])),
-            1 => row[2] = R::ZERO,
-            2 => row[..3].fill(R::ZERO),
-            // Squares next to the end of the range.
-            3 => {
-                let least = (R::MIN_POSITIVE / R::EPSILON).sqrt();
-                for part in &mut row[..3] {
-                    *part = least * R::from_f64(2.0 * self.unit());
-                }
-            }
-            _ => {}
+            at[0] = R::from_f64(x + from * cos * stretch);
+            at[1] = R::from_f64(y + from * sin);
         }
         match self.below(80) {
-            0 => (row[5], row[6]) = (row[7], row[8]),
-            1 => row[5] = R::INFINITY,
-            2 => row[5..].fill(R::from_f64(self.unit())),
-            3 => row[6] = row[6] * R::from_f64(1e30),
+            0 => (corners[0], corners[1]) = (corners[2], corners[3]),
+            1 => corners[0] = R::INFINITY,
+            2 => corners.fill(R::from_f64(self.unit())),
+            3 => corners[1] = corners[1] * R::from_f64(1e30),
             // All on a line.
-            4 => (0..8).for_each(|corner| row[6 + 2 * corner] = row[5 + 2 * corner]),
-            5 => row[5..]
+            4 => corners
+                .chunks_mut(2)
+                .for_each(|corner| corner[1] = corner[0]),
+            5 => corners
                 .iter_mut()
                 .for_each(|part| *part = *part * R::MIN_POSITIVE),
             _ => {}
         }
-        row[3] = self.positive();
-        row[4] = R::from_f64(count as f64);
+        let middle = [x, y].map(R::from_f64);
+        let drawn = self.common(R::from_f64(size), |strength, [a, b, n]| {
+            [strength * a, strength * b, strength * n]
+        });
+        common.copy_from_slice(&drawn);
+        common[7] = R::from_f64(count as f64);
+        match self.below(8) {
+            // About a corner, and translations.
+            0 => (common[0], common[1]) = (common[2] * middle[1], -(common[2] * middle[0])),
+            1 => common[2] = R::ZERO,
+            _ => {}
+        }
         row
     }
 }
@@ -280,13 +277,12 @@ macro_rules! of_pressure {
     };
 }
 
-/// A wrench of the limit surface.
+/// Friction of a round patch.
 fn of_surface<R: Type>(pressure: R, strength: R, radius: R, [x, y, n]: [R; 3]) -> [R; 3] {
-    let wrench = of_pressure!(pressure, coupling => {
+    of_wrench(&of_pressure!(pressure, coupling => {
         let friction = RoundFriction::new(coupling, R::ONE, radius).expect("a radius");
         friction.wrench(strength, &Twist::new(x, y, n))
-    });
-    of_wrench(&-wrench)
+    }))
 }
 
 fn of_wrench<R: Type>(wrench: &Wrench<R>) -> [R; 3] {
@@ -301,33 +297,20 @@ fn of_jacobian<R: Type>(jacobian: &WrenchJacobian<R>) -> [R; 6] {
     [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)].map(|at| jacobian[at])
 }
 
-/// What the kernel makes of a round row.
-pub fn of_round<R: Type>(row: &RoundRow<R>) -> Option<[R; 27]> {
-    Some(of_pressure!(row[0], coupling => of_coupling(coupling, row)))
-}
-
-fn of_coupling<R: Type, C: DryReducedFriction<R>>(coupling: C, row: &RoundRow<R>) -> [R; 27] {
-    let [
-        _,
-        x,
-        y,
-        n,
-        a,
-        b,
-        c,
-        strength,
-        radius,
-        length,
-        mass,
-        inertia,
-        dt,
-    ] = *row;
+/// Wrench and Jacobian, and what the kernel makes of a row on the limit surface.
+fn results<R: Type, const OUT: usize>(
+    row: &[R],
+    wrench: &Wrench<R>,
+    jacobian: &WrenchJacobian<R>,
+    surface: &impl FrictionSet<R>,
+) -> [R; OUT] {
+    let &[x, y, n, a, b, c, _, _, length, mass, inertia, dt, ..] = row else {
+        panic!("a row of {}", row.len())
+    };
     let (twist, push) = (Twist::new(x, y, n), Wrench::new(a, b, c));
-    let friction = RoundFriction::new(&coupling, R::ONE, radius).expect("a radius");
-    let surface = RoundLimitSurface::new(&coupling, strength, radius).expect("a surface");
-    let mut found = [R::ZERO; 27];
-    found[..3].copy_from_slice(&of_wrench(&friction.wrench(strength, &twist)));
-    found[3..9].copy_from_slice(&of_jacobian(&friction.wrench_jacobian(strength, &twist)));
+    let mut found = [R::ZERO; OUT];
+    found[..3].copy_from_slice(&of_wrench(wrench));
+    found[3..9].copy_from_slice(&of_jacobian(jacobian));
     found[9] = surface.gauge(&push);
     found[10..13].copy_from_slice(&of_twist(&surface.twist_normal_to(&push)));
     let Projection { wrench, region } = surface.project_with_length(&push, length);
@@ -338,33 +321,46 @@ fn of_coupling<R: Type, C: DryReducedFriction<R>>(coupling: C, row: &RoundRow<R>
     }
     let body = PlanarBody::new(mass, inertia).expect("a body");
     let dt = TimeStep::new(dt).expect("a time");
-    let step = body.step(&surface, &twist, &push, dt);
+    let step = body.step(surface, &twist, &push, dt);
     found[20..23].copy_from_slice(&of_twist(&step.twist));
     found[23..26].copy_from_slice(&of_wrench(&step.friction));
     found[26] = if step.is_at_rest { R::ONE } else { R::ZERO };
     found
 }
 
+/// What the kernel makes of a round row.
+pub fn of_round<R: Type>(row: &RoundRow<R>) -> Option<[R; 27]> {
+    let [x, y, n, _, _, _, strength, radius, .., pressure] = *row;
+    let twist = Twist::new(x, y, n);
+    of_pressure!(pressure, coupling => {
+        let friction = RoundFriction::new(&coupling, R::ONE, radius).expect("a radius");
+        let surface = RoundLimitSurface::new(&coupling, strength, radius).expect("a surface");
+        let (wrench, jacobian) = (friction.wrench(strength, &twist), friction.wrench_jacobian(strength, &twist));
+        Some(results(row, &wrench, &jacobian, &surface))
+    })
+}
+
 /// What the kernel makes of a polygon's row; nothing where edges cross, which the header does not look for.
-pub fn of_polygon<R: Type>(row: &PolygonRow<R>) -> Option<[R; 13]> {
-    let count = row[4].to_f64() as usize;
-    let mut corners = [[R::ZERO; 2]; 8];
-    for (corner, given) in corners.iter_mut().zip(row[5..].chunks(2)) {
-        corner.copy_from_slice(given);
+pub fn of_polygon<R: Type>(row: &PolygonRow<R>) -> Option<[R; 31]> {
+    let ([x, y, n, _, _, _, strength, count, ..], corners) = (*row, &row[COMMON..]);
+    let mut places = [[R::ZERO; 2]; 8];
+    for (place, given) in places.iter_mut().zip(corners.chunks(2)) {
+        place.copy_from_slice(given);
     }
-    let mut found = [R::ZERO; 13];
     let mut memory = [Edge::default(); 8];
-    let polygon = match Polygon::with_holes(&[&corners[..count]], &mut memory[..]) {
+    let places = &places[..count.to_f64() as usize];
+    let polygon = match Polygon::with_holes(&[places], &mut memory[..]) {
         Ok(polygon) => polygon,
         Err(OutlineError::Crossing { .. }) => return None,
-        Err(_) => return Some(found),
+        Err(_) => return Some([R::ZERO; 31]),
     };
-    let friction = ShapeFriction::new(polygon, R::ONE).expect("a coefficient");
-    let twist = Twist::new(row[0], row[1], row[2]);
-    let (wrench, jacobian) = friction.wrench_and_jacobian(row[3], &twist);
-    found[0] = R::ONE;
-    found[1..4].copy_from_slice(&of_wrench(&friction.wrench(row[3], &twist)));
-    found[4..7].copy_from_slice(&of_wrench(&wrench));
-    found[7..].copy_from_slice(&of_jacobian(&jacobian));
+    let friction = ShapeFriction::new(&polygon, R::ONE).expect("a coefficient");
+    let twist = Twist::new(x, y, n);
+    let surface = ShapeLimitSurface::new(&polygon, strength).expect("a surface");
+    let (beside, jacobian) = friction.wrench_and_jacobian(strength, &twist);
+    let wrench = friction.wrench(strength, &twist);
+    let mut found: [R; 31] = results(row, &wrench, &jacobian, &surface);
+    found[27] = R::ONE;
+    found[28..].copy_from_slice(&of_wrench(&beside));
     Some(found)
 }

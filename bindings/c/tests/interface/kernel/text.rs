@@ -7,7 +7,7 @@
 //! |---|---|
 //! | `@@each`, `@@once` | what follows is written for each type, once |
 //! | `@@if f64`, `@@end` | lines of one type |
-//! | `@@(1.01)`, `@@(1/3)` | a number or a quotient, rounded to the type |
+//! | `@@(1.01)`, `@@(1/3)`, `@@(1-0.1)` | a number of f64, rounded to the type |
 //! | `@@sums PRESSURE FUNCTION` | sums of fitted terms in the order of the kernel |
 //! | `@@by_pressure WHAT` | cases with numbers of a prepared curve |
 //! | `@@atanh`, `@@ln2`, `@@bend_…` | terms of the logarithm, ln 2, terms of an edge |
@@ -88,12 +88,13 @@ fn in_line<R: Type>(line: &str) -> String {
     text
 }
 
-/// `1.01` or `1/3`.
+/// `1.01`, `1/3` or `1-0.1`.
 fn quotient(text: &str) -> f64 {
     let number = |text: &str| text.parse::<f64>().expect("a number");
-    match text.split_once('/') {
-        Some((over, under)) => number(over) / number(under),
-        None => number(text),
+    match (text.split_once('/'), text.split_once('-')) {
+        (Some((over, under)), _) => number(over) / number(under),
+        (_, Some((from, less))) => number(from) - number(less),
+        _ => number(text),
     }
 }
 
