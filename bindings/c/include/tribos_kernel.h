@@ -1315,18 +1315,19 @@ TRIBOS_PART_ float tribos_to_ordinary_f32_(float size)
 	return down * 0.125f;
 }
 
-/* True where a patch moves; else `rest` is what every component of its friction is: 0 at rest, NaN for NaN. */
+/* True where a patch moves, with what its twist is multiplied by besides; else `unit` is what every component of its
+ * friction is: 0 at rest, NaN for NaN. */
 TRIBOS_PART_ int tribos_unit_motion_of_f32_(
-	tribos_kernel_polygon_f32 polygon, tribos_kernel_twist_f32 twist, tribos_unit_motion_f32_ *motion, float *rest)
+	tribos_kernel_polygon_f32 polygon, tribos_kernel_twist_f32 twist, tribos_unit_motion_f32_ *motion, float *unit)
 {
 	float vx = twist.x - twist.spin * polygon.y, vy = twist.y + twist.spin * polygon.x;
-	float rim = twist.spin * polygon.radius, size = fabsf(vx) + fabsf(vy) + fabsf(rim), unit = 1.0f, sq;
-	*rest = 0.0f;
+	float rim = twist.spin * polygon.radius, size = fabsf(vx) + fabsf(vy) + fabsf(rim), by = 1.0f, sq;
+	*unit = 0.0f;
 	if (!tribos_has_square_f32_(size * size)) {
 		float of_twist, of_speeds;
 		if (!(tribos_is_finite_f32_(twist.x) && tribos_is_finite_f32_(twist.y)
 			&& tribos_is_finite_f32_(twist.spin))) {
-			*rest = tribos_nan_f32_();
+			*unit = tribos_nan_f32_();
 			return 0;
 		}
 		of_twist = tribos_to_ordinary_f32_(fabsf(twist.x) + fabsf(twist.y) + fabsf(twist.spin));
@@ -1342,7 +1343,7 @@ TRIBOS_PART_ int tribos_unit_motion_of_f32_(
 		rim = rim * of_speeds;
 		if (vx == 0.0f && vy == 0.0f && rim == 0.0f)
 			return 0;
-		unit = of_twist * of_speeds;
+		by = of_twist * of_speeds;
 	}
 	sq = vx * vx + vy * vy + rim * rim;
 	if (tribos_has_square_f32_(sq)) {
@@ -1358,7 +1359,7 @@ TRIBOS_PART_ int tribos_unit_motion_of_f32_(
 		motion->spin = rim / size;
 		motion->rate = 1.0f / size;
 	}
-	*rest = unit;
+	*unit = by;
 	return 1;
 }
 
@@ -1989,9 +1990,9 @@ TRIBOS_FN tribos_kernel_projection_f32 tribos_kernel_polygon_project_f32(const t
 
 /* ---- The implicit time step of a body on its patch ---- */
 
-/* A patch under a strength: round where there are no edges. */
+/* A patch under a strength, round or a polygon. */
 typedef struct tribos_set_f32_ {
-	int pressure;
+	int is_round, pressure;
 	const tribos_kernel_polygon_f32 *polygon;
 	const tribos_kernel_edge_f32 *edges;
 	float strength, radius;
@@ -2000,7 +2001,7 @@ typedef struct tribos_set_f32_ {
 TRIBOS_PART_ tribos_kernel_projection_f32 tribos_set_project_f32_(
 	tribos_set_f32_ set, tribos_kernel_wrench_f32 wrench, float length)
 {
-	if (set.edges)
+	if (!set.is_round)
 		return tribos_kernel_polygon_project_f32(set.polygon, set.edges, wrench, set.strength, length);
 	return tribos_kernel_round_project_f32(set.pressure, wrench, set.strength, set.radius, length);
 }
@@ -2011,7 +2012,7 @@ TRIBOS_PART_ float tribos_torque_limit_f32_(tribos_set_f32_ set)
 	tribos_kernel_twist_f32 turn;
 	turn.x = turn.y = 0.0f;
 	turn.spin = 1.0f;
-	if (set.edges)
+	if (!set.is_round)
 		return -tribos_kernel_polygon_wrench_f32(
 			set.polygon, set.edges, turn, tribos_limit_of_f32_(set.strength)).torque;
 	return tribos_limit_of_f32_(set.strength) * (set.radius * tribos_spin_torque_f32_(set.pressure));
@@ -2136,6 +2137,7 @@ TRIBOS_FN tribos_kernel_step_f32 tribos_kernel_round_step_f32(int pressure, trib
 	tribos_kernel_twist_f32 twist, tribos_kernel_wrench_f32 push, float strength, float radius, float dt)
 {
 	tribos_set_f32_ set;
+	set.is_round = 1;
 	set.pressure = pressure;
 	set.polygon = 0;
 	set.edges = 0;
@@ -2150,6 +2152,7 @@ TRIBOS_FN tribos_kernel_step_f32 tribos_kernel_polygon_step_f32(const tribos_ker
 	tribos_kernel_wrench_f32 push, float strength, float dt)
 {
 	tribos_set_f32_ set;
+	set.is_round = 0;
 	set.pressure = TRIBOS_KERNEL_DISK;
 	set.polygon = polygon;
 	set.edges = edges;
@@ -3568,18 +3571,19 @@ TRIBOS_PART_ double tribos_to_ordinary_f64_(double size)
 	return down * 0.125;
 }
 
-/* True where a patch moves; else `rest` is what every component of its friction is: 0 at rest, NaN for NaN. */
+/* True where a patch moves, with what its twist is multiplied by besides; else `unit` is what every component of its
+ * friction is: 0 at rest, NaN for NaN. */
 TRIBOS_PART_ int tribos_unit_motion_of_f64_(
-	tribos_kernel_polygon_f64 polygon, tribos_kernel_twist_f64 twist, tribos_unit_motion_f64_ *motion, double *rest)
+	tribos_kernel_polygon_f64 polygon, tribos_kernel_twist_f64 twist, tribos_unit_motion_f64_ *motion, double *unit)
 {
 	double vx = twist.x - twist.spin * polygon.y, vy = twist.y + twist.spin * polygon.x;
-	double rim = twist.spin * polygon.radius, size = fabs(vx) + fabs(vy) + fabs(rim), unit = 1.0, sq;
-	*rest = 0.0;
+	double rim = twist.spin * polygon.radius, size = fabs(vx) + fabs(vy) + fabs(rim), by = 1.0, sq;
+	*unit = 0.0;
 	if (!tribos_has_square_f64_(size * size)) {
 		double of_twist, of_speeds;
 		if (!(tribos_is_finite_f64_(twist.x) && tribos_is_finite_f64_(twist.y)
 			&& tribos_is_finite_f64_(twist.spin))) {
-			*rest = tribos_nan_f64_();
+			*unit = tribos_nan_f64_();
 			return 0;
 		}
 		of_twist = tribos_to_ordinary_f64_(fabs(twist.x) + fabs(twist.y) + fabs(twist.spin));
@@ -3595,7 +3599,7 @@ TRIBOS_PART_ int tribos_unit_motion_of_f64_(
 		rim = rim * of_speeds;
 		if (vx == 0.0 && vy == 0.0 && rim == 0.0)
 			return 0;
-		unit = of_twist * of_speeds;
+		by = of_twist * of_speeds;
 	}
 	sq = vx * vx + vy * vy + rim * rim;
 	if (tribos_has_square_f64_(sq)) {
@@ -3611,7 +3615,7 @@ TRIBOS_PART_ int tribos_unit_motion_of_f64_(
 		motion->spin = rim / size;
 		motion->rate = 1.0 / size;
 	}
-	*rest = unit;
+	*unit = by;
 	return 1;
 }
 
@@ -4250,9 +4254,9 @@ TRIBOS_FN tribos_kernel_projection_f64 tribos_kernel_polygon_project_f64(const t
 
 /* ---- The implicit time step of a body on its patch ---- */
 
-/* A patch under a strength: round where there are no edges. */
+/* A patch under a strength, round or a polygon. */
 typedef struct tribos_set_f64_ {
-	int pressure;
+	int is_round, pressure;
 	const tribos_kernel_polygon_f64 *polygon;
 	const tribos_kernel_edge_f64 *edges;
 	double strength, radius;
@@ -4261,7 +4265,7 @@ typedef struct tribos_set_f64_ {
 TRIBOS_PART_ tribos_kernel_projection_f64 tribos_set_project_f64_(
 	tribos_set_f64_ set, tribos_kernel_wrench_f64 wrench, double length)
 {
-	if (set.edges)
+	if (!set.is_round)
 		return tribos_kernel_polygon_project_f64(set.polygon, set.edges, wrench, set.strength, length);
 	return tribos_kernel_round_project_f64(set.pressure, wrench, set.strength, set.radius, length);
 }
@@ -4272,7 +4276,7 @@ TRIBOS_PART_ double tribos_torque_limit_f64_(tribos_set_f64_ set)
 	tribos_kernel_twist_f64 turn;
 	turn.x = turn.y = 0.0;
 	turn.spin = 1.0;
-	if (set.edges)
+	if (!set.is_round)
 		return -tribos_kernel_polygon_wrench_f64(
 			set.polygon, set.edges, turn, tribos_limit_of_f64_(set.strength)).torque;
 	return tribos_limit_of_f64_(set.strength) * (set.radius * tribos_spin_torque_f64_(set.pressure));
@@ -4397,6 +4401,7 @@ TRIBOS_FN tribos_kernel_step_f64 tribos_kernel_round_step_f64(int pressure, trib
 	tribos_kernel_twist_f64 twist, tribos_kernel_wrench_f64 push, double strength, double radius, double dt)
 {
 	tribos_set_f64_ set;
+	set.is_round = 1;
 	set.pressure = pressure;
 	set.polygon = 0;
 	set.edges = 0;
@@ -4411,6 +4416,7 @@ TRIBOS_FN tribos_kernel_step_f64 tribos_kernel_polygon_step_f64(const tribos_ker
 	tribos_kernel_wrench_f64 push, double strength, double dt)
 {
 	tribos_set_f64_ set;
+	set.is_round = 0;
 	set.pressure = TRIBOS_KERNEL_DISK;
 	set.polygon = polygon;
 	set.edges = edges;

@@ -206,19 +206,23 @@ impl Draw {
             0 => (corners[0], corners[1]) = (corners[2], corners[3]),
             1 => corners[0] = R::INFINITY,
             2 => corners.fill(R::from_f64(self.unit())),
-            3 => corners[1] = corners[1] * R::from_f64(1e30),
+            3 => corners[1] *= R::from_f64(1e30),
             // All on a line.
             4 => corners
                 .chunks_mut(2)
                 .for_each(|corner| corner[1] = corner[0]),
-            5 => corners
-                .iter_mut()
-                .for_each(|part| *part = *part * R::MIN_POSITIVE),
+            5 => corners.iter_mut().for_each(|part| *part *= R::MIN_POSITIVE),
             _ => {}
         }
         let middle = [x, y].map(R::from_f64);
-        let drawn = self.common(R::from_f64(size), |strength, [a, b, n]| {
-            [strength * a, strength * b, strength * n]
+        let mut memory = [Edge::default(); 8];
+        let patch = patch(corners, count, &mut memory);
+        let drawn = self.common(R::from_f64(size), |strength, [a, b, n]| match &patch {
+            Ok(patch) => {
+                let friction = ShapeFriction::new(patch, R::ONE).expect("a coefficient");
+                of_wrench(&friction.wrench(strength, &Twist::new(a, b, n)))
+            }
+            Err(_) => [strength; 3],
         });
         common.copy_from_slice(&drawn);
         common[7] = R::from_f64(count as f64);
@@ -340,16 +344,24 @@ pub fn of_round<R: Type>(row: &RoundRow<R>) -> Option<[R; 27]> {
     })
 }
 
-/// What the kernel makes of a polygon's row; nothing where edges cross, which the header does not look for.
-pub fn of_polygon<R: Type>(row: &PolygonRow<R>) -> Option<[R; 31]> {
-    let ([x, y, n, _, _, _, strength, count, ..], corners) = (*row, &row[COMMON..]);
+/// The polygon of the first corners of a row.
+fn patch<'a, R: Type>(
+    corners: &[R],
+    count: usize,
+    memory: &'a mut [Edge<R>],
+) -> Result<Polygon<R, &'a mut [Edge<R>]>, OutlineError> {
     let mut places = [[R::ZERO; 2]; 8];
     for (place, given) in places.iter_mut().zip(corners.chunks(2)) {
         place.copy_from_slice(given);
     }
+    Polygon::with_holes(&[&places[..count]], memory)
+}
+
+/// What the kernel makes of a polygon's row; nothing where edges cross, which the header does not look for.
+pub fn of_polygon<R: Type>(row: &PolygonRow<R>) -> Option<[R; 31]> {
+    let ([x, y, n, _, _, _, strength, count, ..], corners) = (*row, &row[COMMON..]);
     let mut memory = [Edge::default(); 8];
-    let places = &places[..count.to_f64() as usize];
-    let polygon = match Polygon::with_holes(&[places], &mut memory[..]) {
+    let polygon = match patch(corners, count.to_f64() as usize, &mut memory) {
         Ok(polygon) => polygon,
         Err(OutlineError::Crossing { .. }) => return None,
         Err(_) => return Some([R::ZERO; 31]),
