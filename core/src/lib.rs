@@ -131,9 +131,10 @@ pub mod internals {
     pub use crate::coupling::internals::*;
     pub use crate::coupling::load_transfer::{LeaningWrench, leaning_wrench};
     pub use crate::limit_surface::COLLAR_ULPS;
+    pub use crate::limit_surface::meridian::CurveNumbers;
     pub use crate::patch::tripod::tripod_shares;
     pub use crate::slider::runge_kutta;
-    pub use crate::special::{CompleteElliptic, Gauss, Jet};
+    pub use crate::special::{ATANH, ATANH_SINGLE, CompleteElliptic, Gauss, Jet};
 }
 
 pub use nalgebra;

@@ -27,9 +27,8 @@
  * Accuracy, domain and derivation: the Rust module tribos_core::manifold_friction, whose bits these are if the
  * compiler does not contract or reorder (-ffp-contract=off, no -ffast-math).
  *
- * On a device: define TRIBOS_FN before the header, for CUDA and HIP
- *
- *   #define TRIBOS_FN static inline __host__ __device__
+ * CUDA, HIP and NVRTC: as it is; the bits with --fmad=false (hipcc -ffp-contract=off). Another device's compiler may want
+ * something else before each function: define TRIBOS_FN before the header.
  *
  * Lanes: define the macros below for a vector type, and include this header again for another name:
  *
@@ -51,9 +50,13 @@
 #ifndef TRIBOS_MANIFOLD_FRICTION_H
 #define TRIBOS_MANIFOLD_FRICTION_H
 
-/* What stands before each function. */
+/* What stands before each function; tribos_kernel.h has the same. */
 #ifndef TRIBOS_FN
+#if defined(__CUDACC__) || defined(__HIPCC__)
+#define TRIBOS_FN static __host__ __device__ __forceinline__
+#else
 #define TRIBOS_FN static inline
+#endif
 #endif
 
 /* Limit curves that are the same in all directions: h1, h2, h4. */
@@ -70,7 +73,10 @@
 #ifndef TRIBOS_MANIFOLD_FRICTION_SCALAR
 #define TRIBOS_MANIFOLD_FRICTION_SCALAR
 #define TMF_SCALAR_
+/* Under NVRTC and HIPRTC the mathematics is built in. */
+#if !defined(__CUDACC_RTC__) && !defined(__HIPCC_RTC__)
 #include <math.h>
+#endif
 
 /* A contact area under uniform pressure. Symmetric matrices are xx, xy, yy. */
 typedef struct tribos_contact_area_f32 {

@@ -47,6 +47,10 @@ impl<R: Real> ExtendedRange<R> {
         if is_in_normal_range(whole) {
             return Self::new(whole);
         }
+        // Dry friction's rates: one division.
+        if exponent == -R::ONE {
+            return Self::new(R::ONE).over(Self::new(base));
+        }
         let half = base.pow(R::HALF * exponent);
         if is_in_normal_range(half) {
             return Self::new(half).times(Self::new(half));

@@ -62,6 +62,9 @@ pub use profile::{PowerLawFriction, unscaled_wrench};
 
 /// See [`crate::internals`].
 pub(crate) mod internals {
+    pub use super::coulomb::form::FittedRows;
+    pub use super::coulomb::terms::DISK_SLOPE_ROUGH;
+    pub use super::flat::moving_edge::{BEND, BEND_SINGLE};
     pub use super::lateral::LateralJacobian;
     pub use super::lean_profile::LeanProfile;
     pub use super::profile::SmoothProfile;

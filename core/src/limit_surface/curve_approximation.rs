@@ -58,9 +58,9 @@ const SHARES: [f64; TERMS] = [
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct CurveApproximation<R> {
     /// M at the pole.
-    top: R,
+    pub(super) top: R,
     /// m/h by powers of x.
-    terms: [R; TERMS],
+    pub(super) terms: [R; TERMS],
     /// M and m at equal speeds.
     equal: [R; 2],
 }

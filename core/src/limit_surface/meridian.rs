@@ -40,6 +40,21 @@ pub(super) struct Meridian<R, C> {
     chords: [[R; 2]; 2],
 }
 
+/// What is prepared of a curve, for programs in other languages; where sliding leads first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CurveNumbers<R> {
+    /// Torque of pure spinning.
+    pub spin_torque: R,
+    /// Force and torque at equal speeds.
+    pub equal: [R; 2],
+    /// Lines α f + β t = 1 through that point and the pole of the force, of the torque.
+    pub chords: [[R; 2]; 2],
+    /// The larger component at the pole.
+    pub tops: [R; 2],
+    /// The smaller component over the ratio of speeds, by powers of the ratio's square.
+    pub powers: [[R; 6]; 2],
+}
+
 /// The points of a curve, one after the other.
 pub(super) struct Alone<'a, R, C>(pub &'a Meridian<R, C>);
 
@@ -170,6 +185,18 @@ impl<R: Real, C: DryReducedFriction<R>> Meridian<R, C> {
                 ),
             ],
             coupling,
+        }
+    }
+
+    /// What is prepared.
+    pub fn numbers(&self) -> CurveNumbers<R> {
+        let [sliding, spinning] = &self.approximations;
+        CurveNumbers {
+            spin_torque: self.spin_torque,
+            equal: [self.equal.force, self.equal.torque],
+            chords: self.chords,
+            tops: [sliding.top, spinning.top],
+            powers: [sliding.terms, spinning.terms],
         }
     }
 

@@ -59,7 +59,7 @@ mod curve_approximation;
 mod curve_point;
 mod ellipsoid;
 mod load_sharing;
-mod meridian;
+pub(crate) mod meridian;
 mod nonsmooth_search;
 mod polar;
 mod quadratic;

@@ -1,7 +1,7 @@
 //! The exact limit surface of a dry coupling.
 
 use super::batch::under_one_load;
-use super::meridian::Meridian;
+use super::meridian::{CurveNumbers, Meridian};
 use super::polar::pair;
 use super::searches::ScaledCurve;
 use super::{FrictionSet, LimitEllipsoid, Projection, collar};
@@ -62,6 +62,12 @@ impl<R: Real, C: DryReducedFriction<R>> RoundLimitSurface<R, C> {
     /// The coupling whose wrenches make the surface.
     pub fn coupling(&self) -> &C {
         &self.meridian.coupling
+    }
+
+    /// What is prepared of the curve of the surface.
+    #[doc(hidden)]
+    pub fn curve_numbers(&self) -> CurveNumbers<R> {
+        self.meridian.numbers()
     }
 
     /// The largest torque, μN R T(0, 1).

@@ -5,7 +5,7 @@ use core::ops::{Add, Mul};
 
 /// 2 (atanh(f)/f − 1)/f² for f² ≤ 0.0402, from the constant term on: `chebyfit` of mpmath 1.3 with 7
 /// terms, to 1.4e-15; the logarithm to 3e-17 of itself.
-const ATANH: [f64; 7] = [
+pub const ATANH: [f64; 7] = [
     0.666_666_666_666_669_4,
     0.399_999_999_993_253_34,
     0.285_714_288_394_464_1,
@@ -15,7 +15,7 @@ const ATANH: [f64; 7] = [
     0.151_232_952_086_141_02,
 ];
 /// The same with 3 terms, to 2.5e-7; the logarithm to 5e-9.
-const ATANH_SINGLE: [f32; 3] = [0.666_667_1, 0.399_788_02, 0.299_627_9];
+pub const ATANH_SINGLE: [f32; 3] = [0.666_667_1, 0.399_788_02, 0.299_627_9];
 
 /// ln(1 + `excess`/`base`), as if `excess` and `base` were exact.
 ///

@@ -11,3 +11,4 @@ pub use elliptic::CompleteElliptic;
 pub use hypergeometric::{Gauss, Jet};
 pub(crate) use log_part::log_part;
 pub(crate) use log_quotient::log_quotient;
+pub use log_quotient::{ATANH, ATANH_SINGLE};

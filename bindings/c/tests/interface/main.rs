@@ -5,6 +5,7 @@ mod digest;
 mod examples;
 mod feet;
 mod header;
+mod kernel;
 mod manifold;
 mod programs;
 mod refusals;

@@ -17,6 +17,16 @@ pub(crate) struct Terms<const SINGLE: usize, const DOUBLE: usize> {
     pub double: Sides<f64, DOUBLE>,
 }
 
+/// Fitted terms for programs in other languages: rows from the constant term on, of the regular parts of two functions
+/// and of their singular parts, where spinning leads and where sliding does.
+#[derive(Clone, Copy, Debug)]
+pub struct FittedRows {
+    /// In f32.
+    pub single: [&'static [[f32; 4]]; 2],
+    /// In f64.
+    pub double: [&'static [[f64; 4]]; 2],
+}
+
 /// A pressure with its fitted terms.
 pub(crate) trait Fitted: Copy {
     const PRESSURE: PowerPressure;
@@ -52,6 +62,14 @@ fn inv_moment<F: Fitted, L: Numbers<Real: Real>>() -> L {
 }
 
 impl<const SINGLE: usize, const DOUBLE: usize> Terms<SINGLE, DOUBLE> {
+    pub(super) const fn rows(self) -> FittedRows {
+        let ([a, b], [c, d]) = (self.single, self.double);
+        FittedRows {
+            single: [a, b],
+            double: [c, d],
+        }
+    }
+
     /// The four sums of one number.
     #[inline(always)]
     fn alone<R: Real>(self, slides: bool, u: R) -> [R; 4] {

@@ -39,9 +39,10 @@ mod curve;
 pub(super) mod form;
 #[rustfmt::skip]
 #[expect(clippy::approx_constant, reason = "they are fitted")]
-mod terms;
+pub(super) mod terms;
 
 pub(crate) use form::Fitted;
+use form::FittedRows;
 
 macro_rules! fitted {
     ($form:ident, $pressure:ident, $torque:expr, $slope:expr) => {
@@ -52,6 +53,12 @@ macro_rules! fitted {
             fn torque_sums<L: Numbers<Real: Real>>(slides: L::Mask, argument: L) -> [L; 4] {
                 $torque.sums(slides, argument)
             }
+        }
+
+        impl $form {
+            /// Terms of Φ and Χ, Θ where one function serves both sides, and of Φ and Φ'.
+            #[doc(hidden)]
+            pub const FITTED: [FittedRows; 2] = [$torque.rows(), $slope.rows()];
         }
 
         impl<R: Real> PowerLawFriction<R> for $form {

@@ -18,7 +18,7 @@ mod feet;
 mod linear;
 mod mesh;
 mod motion;
-mod moving_edge;
+pub(super) mod moving_edge;
 mod pair_of_numbers;
 mod points;
 mod pole_far;

@@ -31,7 +31,7 @@ use nalgebra::Vector2;
 
 /// Functions P and Q of z = 1 − y² with G = P + Q ln z, fitted together (`generate_polygons.py fit` of the
 /// tests' tables): G to 9e-17 over (y² + 0.03)(√z + 0.001) for z > 1e-6; an edge's terms vanish as √z below.
-const BEND: [[f64; 2]; 12] = [
+pub const BEND: [[f64; 2]; 12] = [
     [-0.640_186_152_773_286_2, -0.499_999_999_999_991_6],
     [-0.850_465_380_724_866_5, -1.249_999_999_850_792_7],
     [-1.019_563_395_878_982_7, -2.187_499_832_449_630_4],
@@ -46,7 +46,7 @@ const BEND: [[f64; 2]; 12] = [
     [0.001_301_559_781_050_569, 0.0],
 ];
 /// The same to 3.3e-8 (`fit 6`).
-const BEND_SINGLE: [[f32; 2]; 6] = [
+pub const BEND_SINGLE: [[f32; 2]; 6] = [
     [-0.640_171_5, -0.499_998_4],
     [-0.841_706_9, -1.248_345],
     [-0.670_224_1, -2.078_882_7],

@@ -90,7 +90,7 @@ pub fn archive(target: Option<&str>) -> Option<PathBuf> {
 pub fn compile_for_host(files: &[&str], archive: &Path, program: &Path) {
     let mut cc = Command::new("cc");
     cc.args(FLAGS).args(["-std=c99", "-pedantic"]);
-    compile(cc.args(files).arg(archive), program);
+    compile(cc.args(files).arg(archive).arg("-lm"), program);
 }
 
 /// Compiles files of `examples` for the board.
@@ -102,7 +102,8 @@ pub fn compile_for_board(files: &[&str], archive: &Path, program: &Path) {
 
 fn compile(cc: &mut Command, program: &Path) {
     cc.current_dir(folder("examples")).arg("-I../include");
-    let output = cc.arg("-o").arg(program).output().expect("a compiler");
+    cc.arg("-o").arg(program);
+    let output = cc.output().expect("a compiler");
     assert!(output.status.success(), "{cc:?}\n{}", text(&output.stderr));
 }
 
