@@ -7,6 +7,7 @@ from typing import Any
 
 import jax
 import jax.numpy as jnp
+from jax.custom_derivatives import SymbolicZero
 
 where = jnp.where
 sqrt = jnp.sqrt
@@ -19,12 +20,21 @@ def stack(parts: Sequence[Any]) -> Any:
     return jnp.stack(jnp.broadcast_arrays(*parts), axis=-1)
 
 
+def first_axis(x: Any, rank: int) -> Any:
+    first = jnp.moveaxis(x, -1, 0)
+    return first.reshape(first.shape[:1] + (1,) * (rank + 1 - first.ndim) + first.shape[1:])
+
+
 def total(x: Any) -> Any:
-    return jnp.sum(x, axis=-1)
+    return jnp.sum(x, axis=0)
+
+
+def largest(x: Any) -> Any:
+    return jnp.max(x, axis=0)
 
 
 def following(x: Any) -> Any:
-    return jnp.roll(x, -1, axis=-1)
+    return jnp.roll(x, -1, axis=0)
 
 
 def constant(c: Any, like: Any) -> Any:
@@ -43,7 +53,27 @@ def loop(step: Callable[[Any], Any], state: Any, count: int) -> Any:
     return jax.lax.fori_loop(0, count, lambda _, now: step(now), still(state))
 
 
+def until(step: Callable[[Any], Any], state: Any, most: int) -> Any:
+    def goes_on(now: Any) -> Any:
+        count, (*_, is_done) = now
+        return (count < most) & ~jnp.all(is_done)
+
+    return jax.lax.while_loop(
+        goes_on, lambda now: (now[0] + 1, step(now[1])), (0, still(state))
+    )[1]
+
+
 def ruled(value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
     made = jax.custom_jvp(value)
     made.defjvp(rule)
+    return made
+
+
+def ruled_by_part(value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
+    made = jax.custom_jvp(value)
+
+    def of_changing(arguments: Any, tangents: Any) -> Any:
+        return rule(arguments, [None if isinstance(t, SymbolicZero) else t for t in tangents])
+
+    made.defjvp(of_changing, symbolic_zeros=True)
     return made
