@@ -45,9 +45,17 @@ class Space(Protocol):
     def loop(self, step: Callable[[Any], Any], state: Any, count: int) -> Any:
         """The state after so many steps, without derivatives."""
 
+    def pushed(
+        self, of: Callable[..., Any], arguments: Sequence[Any], tangents: Sequence[Any]
+    ) -> Any:
+        """The rate of a function's value along tangents of its arguments; differentiable in turn."""
+
     def ruled(self, value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
         """A function with its own first derivative.
 
         `rule(arguments, tangents)` gives the values and their rates, linear in the tangents; it is made of
-        operations of the space, so that it can be differentiated in turn. A library may ignore it.
+        operations of the space, so that it can be differentiated in turn. Where `value` is a search it is the only source
+        of derivatives: a library without rules takes the value without derivatives, and adds half the sum of the rates at
+        the arguments and at the arguments without derivatives, along arguments less their values, which is exact to second
+        order.
         """

@@ -43,6 +43,10 @@ def loop(step: Callable[[Any], Any], state: Any, count: int) -> Any:
     return jax.lax.fori_loop(0, count, lambda _, now: step(now), still(state))
 
 
+def pushed(of: Callable[..., Any], arguments: Sequence[Any], tangents: Sequence[Any]) -> Any:
+    return jax.jvp(of, tuple(arguments), tuple(tangents))[1]
+
+
 def ruled(value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
     made = jax.custom_jvp(value)
     made.defjvp(rule)
