@@ -34,7 +34,7 @@ class Space(Protocol):
         """A number or a table in the type of an array, on its device."""
 
     def type_of(self, x: Any) -> str:
-        """"float32" or "float64"."""
+        """ "float32" or "float64"."""
 
     def still(self, x: Any) -> Any:
         """The same without derivatives."""
@@ -42,8 +42,17 @@ class Space(Protocol):
     def apart(self, x: Any) -> Any:
         """The same, not to be computed again at each use."""
 
-    def loop(self, step: Callable[[Any], Any], state: Any, count: int) -> Any:
-        """The state after so many steps, without derivatives."""
+    def epsilon(self, x: Any) -> float:
+        """The distance from 1 to the next number of a type."""
+
+    def loop(
+        self,
+        step: Callable[[Any], Any],
+        state: Any,
+        count: int,
+        is_done: Callable[[Any], Any] | None = None,
+    ) -> Any:
+        """The state after so many steps, or before as soon as all of `is_done` holds; without derivatives."""
 
     def pushed(
         self, of: Callable[..., Any], arguments: Sequence[Any], tangents: Sequence[Any]
