@@ -40,7 +40,7 @@ class Space(Protocol):
         """A number or a table in the type of an array, on its device."""
 
     def type_of(self, x: Any) -> str:
-        """"float32" or "float64"."""
+        """ "float32" or "float64"."""
 
     def still(self, x: Any) -> Any:
         """The same without derivatives."""
@@ -48,8 +48,22 @@ class Space(Protocol):
     def apart(self, x: Any) -> Any:
         """The same, not to be computed again at each use."""
 
-    def loop(self, step: Callable[[Any], Any], state: Any, count: int) -> Any:
-        """The state after so many steps, without derivatives."""
+    def epsilon(self, x: Any) -> float:
+        """The distance from 1 to the next number of a type."""
+
+    def loop(
+        self,
+        step: Callable[[Any], Any],
+        state: Any,
+        count: int,
+        is_done: Callable[[Any], Any] | None = None,
+    ) -> Any:
+        """The state after so many steps, or before as soon as all of `is_done` holds; without derivatives."""
+
+    def pushed(
+        self, of: Callable[..., Any], arguments: Sequence[Any], tangents: Sequence[Any]
+    ) -> Any:
+        """The rate of a function's value along tangents of its arguments; differentiable in turn."""
 
     def until(self, step: Callable[[Any], Any], state: Any, most: int) -> Any:
         """The state after so many steps, or when its last part, a mask, holds everywhere; without derivatives."""
@@ -58,7 +72,10 @@ class Space(Protocol):
         """A function with its own first derivative.
 
         `rule(arguments, tangents)` gives the values and their rates, linear in the tangents; it is made of
-        operations of the space, so that it can be differentiated in turn. A library may ignore it.
+        operations of the space, so that it can be differentiated in turn. Where `value` is a search it is the only source
+        of derivatives: a library without rules takes the value without derivatives, and adds half the sum of the rates at
+        the arguments and at the arguments without derivatives, along arguments less their values, which is exact to second
+        order.
         """
 
     def ruled_by_part(self, value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
