@@ -65,9 +65,6 @@ class Space(Protocol):
     ) -> Any:
         """The rate of a function's value along tangents of its arguments; differentiable in turn."""
 
-    def until(self, step: Callable[[Any], Any], state: Any, most: int) -> Any:
-        """The state after so many steps, or when its last part, a mask, holds everywhere; without derivatives."""
-
     def ruled(self, value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
         """A function with its own first derivative.
 

@@ -73,16 +73,6 @@ def pushed(of: Callable[..., Any], arguments: Sequence[Any], tangents: Sequence[
     return jax.jvp(of, tuple(arguments), tuple(tangents))[1]
 
 
-def until(step: Callable[[Any], Any], state: Any, most: int) -> Any:
-    def goes_on(now: Any) -> Any:
-        count, (*_, is_done) = now
-        return (count < most) & ~jnp.all(is_done)
-
-    return jax.lax.while_loop(
-        goes_on, lambda now: (now[0] + 1, step(now[1])), (0, still(state))
-    )[1]
-
-
 def ruled(value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
     made = jax.custom_jvp(value)
     made.defjvp(rule)
