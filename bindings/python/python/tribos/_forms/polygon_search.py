@@ -177,9 +177,7 @@ def _searched(
         new = trial(to, now.step)
         slack = SLACK * rounding * (1.0 + space.abs(now.value))
         # Where rounding hides what a step gains, its slope at the end decides.
-        is_level = (new.value <= now.value + slack) & (
-            new.slope <= (1.0 - 2.0 * ENOUGH) * now.fall
-        )
+        is_level = (new.value <= now.value + slack) & (new.slope <= (1.0 - 2.0 * ENOUGH) * now.fall)
         descends = new.value <= now.value - ENOUGH * now.factor * now.fall
         # A short residual that is halved is a gain where rounding hides values and slopes: next to the surface.
         is_short = now.residual < rounding**0.5
