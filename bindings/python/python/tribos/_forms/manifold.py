@@ -122,6 +122,58 @@ def _carried(space: Space, given: Any, steps: int, settling: int) -> tuple[Any, 
     return share * x, share * y, space.where(holds, twist, angular)
 
 
+def _smaller(space: Space, a: Any, b: Any) -> Any:
+    return space.where(b < a, b, a)
+
+
+def _larger(space: Space, a: Any, b: Any) -> Any:
+    return space.where(a < b, b, a)
+
+
+def _height(curve: tuple[Any, Any, Any], x_sq: Any) -> tuple[Any, Any, Any]:
+    """h and its first two derivatives at X."""
+    h1, h2, h4 = curve
+    x_fourth = x_sq * x_sq
+    return (
+        (1.0 + h1 * x_sq) + x_fourth * (h2 + h4 * x_fourth),
+        (h1 + 2.0 * h2 * x_sq) + (4.0 * h4 * x_sq) * x_fourth,
+        2.0 * h2 + (12.0 * h4) * x_fourth,
+    )
+
+
+def _holds(space: Space, curve: Any, sizes: Any, limits: Any, slip: Any) -> Any:
+    """Where static friction holds the candidate."""
+    x, y = (
+        slip * size / space.where(limit > 0.0, limit, 1.0) for size, limit in zip(sizes, limits)
+    )
+    x_sq, y_sq = x * x, y * y
+    height, _, _ = _height(curve, _smaller(space, x_sq, 1.0))
+    turns = limits[1] > 0.0
+    y_sq = space.where(turns, y_sq, 0.0 * y_sq)
+    return (limits[0] > 0.0) & (y_sq <= (1.0 - x_sq) * height * height)
+
+
+def _scaled(
+    space: Space, p: Any, sizes: Any, limits: Any, inverse: Any, curve: Any
+) -> tuple[_Scaled, Any]:
+    """The metric in units of the limits, as energies, and a lower bound of the force's part."""
+    size, torque = sizes
+    force_weight, torque_weight = (one * limit for one, limit in zip(inverse, limits))
+    a, b = force_weight * limits[0], torque_weight * limits[1]
+    sum_ = a + b
+    least = LEAST_WEIGHT * sum_
+    a, b = _larger(space, a, least), _larger(space, b, least)
+    x, y = space.abs(p[0]), space.abs(p[1])
+    longest = _larger(space, _larger(space, x, y), DIAGONAL * (x + y))
+    start, b_torque = force_weight * longest, torque_weight * torque
+    # Only the ratios count, so that their unit takes part in no derivative.
+    most = space.still(start + b_torque + sum_)
+    unit = 1.0 / space.where(most > 0.0, most, 1.0)
+    force_weight = force_weight * unit
+    scaled = _Scaled(a * unit, b * unit, force_weight * size, b_torque * unit, curve)
+    return scaled, start * unit
+
+
 def _searched(space: Space, scaled: _Scaled, start: Any, steps: int) -> tuple[Any, Any]:
     """The point (s, c h(s²)) of the curve, without derivatives."""
     h1, h2, h4 = (space.still(term) for term in scaled.curve)
