@@ -12,7 +12,7 @@ A start on a polynomial that stands in for the curve is within 1e-4 (on a ring w
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import lru_cache
+from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -43,7 +43,7 @@ class StandIn(NamedTuple):
     """M and m at equal speeds, of the curve itself."""
 
 
-@lru_cache(maxsize=None)
+@cache
 def stand_ins(pressure: Pressure) -> tuple[StandIn, StandIn]:
     """Where sliding leads, and where spinning does: right at the points of Chebyshev."""
     # x are the zeros of the polynomial of Chebyshev on [0, 1].

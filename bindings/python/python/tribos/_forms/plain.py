@@ -40,6 +40,10 @@ def type_of(x: Any) -> str:
     return str(x.dtype)
 
 
+def moves(x: Any) -> bool:
+    return False
+
+
 def epsilon(x: Any) -> float:
     return float(np.finfo(x.dtype).eps)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 from typing import Any
 
 from tribos._forms import coulomb, meridian
@@ -118,7 +118,7 @@ def _unit(space: Space, normal: Any, radius: Any) -> tuple[Any, Any, Any]:
     return slide * share, spin * share, share
 
 
-@lru_cache(maxsize=None)
+@cache
 def _pull(space: Space, pressure: Pressure) -> Callable[..., Any]:
     """Push of friction against velocity and rim speed, not all 0."""
 
@@ -134,7 +134,7 @@ def _pull(space: Space, pressure: Pressure) -> Callable[..., Any]:
     return space.ruled(value, rule)
 
 
-@lru_cache(maxsize=None)
+@cache
 def _power(space: Space, pressure: Pressure) -> Callable[..., Any]:
     """Power of friction."""
     pull = _pull(space, pressure)

@@ -36,6 +36,9 @@ class Space(Protocol):
     def type_of(self, x: Any) -> str:
         """ "float32" or "float64"."""
 
+    def moves(self, x: Any) -> bool:
+        """Whether derivatives by it may be asked for; constants of numpy have none."""
+
     def still(self, x: Any) -> Any:
         """The same without derivatives."""
 

@@ -39,6 +39,10 @@ def type_of(x: Any) -> str:
 apart = jax.lax.optimization_barrier
 
 
+def moves(x: Any) -> bool:
+    return isinstance(x, jax.Array)
+
+
 def epsilon(x: Any) -> float:
     return float(jnp.finfo(x.dtype).eps)
 
