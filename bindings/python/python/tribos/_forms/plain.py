@@ -24,6 +24,10 @@ def stack(parts: Sequence[Any]) -> Any:
     return np.stack(np.broadcast_arrays(*parts), axis=-1)
 
 
+def parts(rows: Any) -> Sequence[Any]:
+    return list(np.moveaxis(rows, -1, 0))
+
+
 def total(x: Any) -> Any:
     return np.sum(x, axis=-1)
 

@@ -24,6 +24,9 @@ class Space(Protocol):
     def stack(self, parts: Sequence[Any]) -> Any:
         """Arrays side by side along a new last axis, after broadcasting."""
 
+    def parts(self, rows: Any) -> Sequence[Any]:
+        """The entries along the last axis one by one, cheap to transpose: the inverse of `stack`."""
+
     def total(self, x: Any) -> Any:
         """Sum along the last axis."""
 

@@ -19,6 +19,11 @@ def stack(parts: Sequence[Any]) -> Any:
     return jnp.stack(jnp.broadcast_arrays(*parts), axis=-1)
 
 
+def parts(rows: Any) -> Sequence[Any]:
+    # Reverse mode joins split arrays; the sum of padded slices would compute all before it nine times.
+    return [part[..., 0] for part in jnp.split(rows, rows.shape[-1], axis=-1)]
+
+
 def total(x: Any) -> Any:
     return jnp.sum(x, axis=-1)
 
@@ -35,8 +40,15 @@ def type_of(x: Any) -> str:
     return str(x.dtype)
 
 
-# Fused, every use of a value would compute all before it again.
-apart = jax.lax.optimization_barrier
+@jax.custom_jvp
+def apart(x: Any) -> Any:
+    # Fused, every use of a value would compute all before it again.
+    return jax.lax.optimization_barrier(x)
+
+
+@apart.defjvp
+def _apart_rule(at: Any, by: Any) -> Any:
+    return apart(at[0]), by[0]
 
 
 def moves(x: Any) -> bool:
