@@ -53,10 +53,6 @@ def type_of(x: Any) -> str:
     return str(x.dtype)
 
 
-def moves(x: Any) -> bool:
-    return False
-
-
 def epsilon(x: Any) -> float:
     return float(np.finfo(x.dtype).eps)
 
@@ -80,6 +76,3 @@ def pushed(of: Callable[..., Any], arguments: Sequence[Any], tangents: Sequence[
 
 def ruled(value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
     return value
-
-
-ruled_by_part = ruled

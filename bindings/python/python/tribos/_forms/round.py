@@ -130,8 +130,8 @@ def _pull(space: Space, pressure: Pressure) -> Callable[..., Any]:
 
     def rule(at: Any, by: Any) -> Any:
         made, (xx, xy, yy, xr, yr, rr) = space.apart(_pull_and_bend(space, pressure, *at))
-        x, y, r = by
-        return made, (xx * x + xy * y + xr * r, xy * x + yy * y + yr * r, xr * x + yr * y + rr * r)
+        rows = (xx, xy, xr), (xy, yy, yr), (xr, yr, rr)
+        return made, tuple(_along(row, by) for row in rows)
 
     return space.ruled(value, rule)
 
@@ -147,9 +147,14 @@ def _power(space: Space, pressure: Pressure) -> Callable[..., Any]:
 
     def rule(at: Any, by: Any) -> Any:
         made = pull(*at)
-        return tuple(sum(a * b for a, b in zip(made, row, strict=True)) for row in (at, by))
+        return _along(made, at), _along(made, by)
 
     return space.ruled(value, rule)
+
+
+def _along(slopes: Any, by: Any) -> Any:
+    """The rate along tangents, of which None are none."""
+    return sum(slope * rate for slope, rate in zip(slopes, by, strict=True) if rate is not None)
 
 
 def _pull_and_bend(space: Space, pressure: Pressure, x: Any, y: Any, r: Any) -> tuple[Any, Any]:

@@ -70,7 +70,7 @@ def project(space: Space, form: Form, wrenches: Any, limit: Any, length: Any) ->
 def nearest(space: Space, form: Form, wrenches: Any, limit: Any) -> tuple[Any, Any]:
     """The same by |force|² + torque²; for wrenches in the set any numbers."""
     points, normals, beyond = _nearest(space, form)(
-        wrenches, _not_negative(space, limit), *_moving(space, form)
+        wrenches, _not_negative(space, limit), *form.arrays
     )
     width = COLLAR * space.epsilon(beyond) * space.still(dot(space, normals, points))
     return points, space.still(beyond) <= width
@@ -80,28 +80,34 @@ def _not_negative(space: Space, limit: Any) -> Any:
     return space.where(limit >= 0.0, limit, space.constant(float("nan"), limit))
 
 
-def _moving(space: Space, form: Form) -> list[Any]:
-    """The form's arrays that derivatives may be asked by."""
-    return [array for array in form.arrays if space.moves(array)]
-
-
-def _with(space: Space, form: Form, moving: tuple[Any, ...]) -> Form:
-    """The form with others in the place of those."""
-    given = iter(moving)
-    return form.of(tuple(next(given) if space.moves(a) else a for a in form.arrays))
-
-
 def _push(space: Space, form: Form, twists: Any) -> Any:
     """The gradient of the support."""
     return -form.wrench(space, twists)
 
 
 def _push_by_arrays(space: Space, form: Form, normals: Any, by: Any) -> Any:
-    """The change of the push at fixed motions along tangents of the form's moving arrays."""
-    moving = tuple(_moving(space, form))
-    if not moving:
-        return 0.0
-    return space.pushed(lambda *at: _push(space, _with(space, form, at), normals), moving, by)
+    """The change of the push at fixed motions along tangents of the form's arrays, None for none."""
+    changing = [n for n, rate in enumerate(by) if rate is not None]
+
+    def of(*moved: Any) -> Any:
+        arrays = list(form.arrays)
+        for n, array in zip(changing, moved, strict=True):
+            arrays[n] = array
+        return _push(space, form.of(tuple(arrays)), normals)
+
+    if not changing:
+        return None
+    return space.pushed(of, [form.arrays[n] for n in changing], [by[n] for n in changing])
+
+
+def _sum(*terms: Any) -> Any:
+    """The sum of those that are not None."""
+    return sum(term for term in terms if term is not None)
+
+
+def _scaled(factor: Any, rows: Any) -> Any:
+    """Rows times a number each, None for none."""
+    return None if factor is None or rows is None else factor[..., None] * rows
 
 
 def _on_rays(space: Space, form: Form, wrenches: Any, nothing: Any) -> tuple[Any, Any]:
@@ -110,24 +116,25 @@ def _on_rays(space: Space, form: Form, wrenches: Any, nothing: Any) -> tuple[Any
     x, y, torque = space.parts(wrenches)
     safe = space.stack((space.where(nothing, 1.0, x), y, torque / reach))
     form = form.per(space, reach)
-    normals, gauges = _rays(space, form)(safe, *_moving(space, form))
+    normals, gauges = _rays(space, form)(safe, *form.arrays)
     return normals, gauges
 
 
 def _rays(space: Space, form: Form) -> Callable[..., tuple[Any, Any]]:
-    """Normals and gauges by wrenches and the form's moving arrays."""
+    """Normals and gauges by wrenches and the form's arrays."""
 
-    def value(wrenches: Any, *moving: Any) -> tuple[Any, Any]:
-        normals, gauges = _with(space, form, moving).ray(space, wrenches)
+    def value(wrenches: Any, *arrays: Any) -> tuple[Any, Any]:
+        normals, gauges = form.of(arrays).ray(space, wrenches)
         return normals, gauges
 
     def rule(at: Any, by: Any) -> Any:
         normals, gauges = solution(*at)
-        here = _with(space, form, at[1:])
-        power = here.support(space, normals)
-        moved = by[0] - gauges[..., None] * _push_by_arrays(space, here, normals, by[1:])
-        rate = dot(space, normals, moved) / power
-        across = moved - rate[..., None] * _push(space, here, normals)
+        here = form.of(at[1:])
+        push = _push(space, here, normals)
+        by_arrays = _push_by_arrays(space, here, normals, by[1:])
+        moved = _sum(by[0], _scaled(-gauges, by_arrays))
+        rate = dot(space, normals, moved) / dot(space, normals, push)
+        across = moved - rate[..., None] * push
         turned = _turned(space, here, normals, across, gauges, 0.0)[0]
         return (normals, gauges), (turned, rate)
 
@@ -136,13 +143,13 @@ def _rays(space: Space, form: Form) -> Callable[..., tuple[Any, Any]]:
 
 
 def _nearest(space: Space, form: Form) -> Callable[..., tuple[Any, Any, Any]]:
-    """Nearest points, normals and distances by wrenches, force limits and the form's moving arrays."""
+    """Nearest points, normals and distances by wrenches, force limits and the form's arrays."""
 
-    def value(wrenches: Any, limit: Any, *moving: Any) -> tuple[Any, Any, Any]:
+    def value(wrenches: Any, limit: Any, *arrays: Any) -> tuple[Any, Any, Any]:
         # Without a limit the nearest point is 0, along the wrench itself.
         some = ~(limit == 0.0)
         unit = space.where(some, limit, 1.0)[..., None]
-        found = _with(space, form, moving).nearest(space, wrenches / unit)
+        found = form.of(arrays).nearest(space, wrenches / unit)
         size = space.sqrt(dot(space, wrenches, wrenches))
         along = wrenches / space.where(size == 0.0, 1.0, size)[..., None]
         return (
@@ -154,11 +161,10 @@ def _nearest(space: Space, form: Form) -> Callable[..., tuple[Any, Any, Any]]:
     def rule(at: Any, by: Any) -> Any:
         points, normals, beyond = solution(*at)
         limit = at[1]
-        here = _with(space, form, at[2:])
-        push = _push(space, here, normals)
-        grown = push * by[1][..., None]
-        grown = grown + limit[..., None] * _push_by_arrays(space, here, normals, by[2:])
-        moved = by[0] - grown
+        here = form.of(at[2:])
+        by_arrays = _scaled(limit, _push_by_arrays(space, here, normals, by[2:]))
+        grown = _sum(0.0 * points, _scaled(by[1], _push(space, here, normals)), by_arrays)
+        moved = -grown if by[0] is None else by[0] - grown
         # Inside nothing is asked for.
         outside = space.where(beyond <= 0.0, 1.0, beyond)
         turned, along = _turned(space, here, normals, moved, limit, outside)

@@ -61,10 +61,6 @@ def _apart_rule(at: Any, by: Any) -> Any:
     return apart(at[0]), by[0]
 
 
-def moves(x: Any) -> bool:
-    return isinstance(x, jax.Array)
-
-
 def epsilon(x: Any) -> float:
     return float(jnp.finfo(x.dtype).eps)
 
@@ -90,12 +86,6 @@ def pushed(of: Callable[..., Any], arguments: Sequence[Any], tangents: Sequence[
 
 
 def ruled(value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
-    made = jax.custom_jvp(value)
-    made.defjvp(rule)
-    return made
-
-
-def ruled_by_part(value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
     made = jax.custom_jvp(value)
 
     def of_changing(arguments: Any, tangents: Any) -> Any:
