@@ -201,4 +201,4 @@ def _reduced(space: Space) -> Callable[..., Any]:
             changes = [change + part for change, part in zip(changes, by_corners)]
         return tuple(made), tuple(changes)
 
-    return space.ruled_by_part(value, rule)
+    return space.ruled(value, rule)
