@@ -22,6 +22,9 @@ LEAST_GAP = {"float32": 1e-14, "float64": 1e-32}
 """Least 1 − y², and least squared length of an edge that has a direction: about a squared rounding error, whose
 square has a reciprocal, so that second derivatives are finite. What an edge contributes vanishes as its root."""
 
+LEAST_TURN_SQ = 1.0 / 64.0
+"""What (w/S)² exceeds wherever the velocities of an edge's ends are opposed."""
+
 ROUNDING = {"float32": 2.0**-23, "float64": 2.0**-52}
 """Distance of 1 from the next number."""
 
@@ -108,7 +111,7 @@ def edges_of(space: Space, motion: Motion, x: Any, y: Any) -> MovingEdge:
     zeta_sq = zeta * zeta
     turn_sq = w * w * inv_sq
     y_sq = turn_sq * length_sq
-    opened, gap = _opened(space, (zeta_sq, length_sq, turn_sq), start, end, inv_sq)
+    opened, gap = _opened(space, (zeta_sq, turn_sq), start, end, inv_sq)
     bend = _bend(space, gap)
     p, arm = 0.5 * (start.p + end.p), 0.5 * (start.arm + end.arm)
     return MovingEdge(
@@ -135,18 +138,21 @@ def edges_of(space: Space, motion: Motion, x: Any, y: Any) -> MovingEdge:
 
 
 def _opened(
-    space: Space, squares: tuple[Any, Any, Any], start: Corner, end: Corner, inv_sq: Any
+    space: Space, squares: tuple[Any, Any], start: Corner, end: Corner, inv_sq: Any
 ) -> tuple[Any, Any]:
     """Z²/(1 − y²) and 1 − y², by the sum that does not cancel."""
-    zeta_sq, length_sq, turn_sq = squares
+    zeta_sq, turn_sq = squares
     dot = start.u_x * end.u_x + start.u_y * end.u_y
+    # Either form is right next to dot = 0, where a library that computes it twice may round to both sides: what is
+    # chosen is the whole form.
     is_ahead = dot >= 0.0
-    both = (start.q * end.q + space.where(is_ahead, dot, -dot)) * inv_sq
+    both = (start.q * end.q + space.abs(dot)) * inv_sq
     twice = both + both
-    inv = 1.0 / space.where(is_ahead, twice, twice * (turn_sq * length_sq))
-    opened = space.where(is_ahead, zeta_sq, both * both * length_sq) * inv
-    turned = (2.0 * turn_sq) * (2.0 * turn_sq)
-    gap = space.where(is_ahead, twice, zeta_sq * (turned * length_sq) * inv)
+    inv = 1.0 / twice
+    # Ends with opposed velocities turn by a quarter of a circle at least: (w/S)² is 1/16 or more.
+    safe = space.where(turn_sq > LEAST_TURN_SQ, turn_sq, 1.0)
+    opened = space.where(is_ahead, zeta_sq * inv, 0.5 * both / safe)
+    gap = space.where(is_ahead, twice, 4.0 * zeta_sq * turn_sq * inv)
     return opened, gap + LEAST_GAP[space.type_of(gap)]
 
 

@@ -174,7 +174,8 @@ def _searched(
 
     def round_(now: _State) -> _State:
         to = moved(now.at, now.step, now.factor)
-        new = trial(to, now.step)
+        # Once, so that all that is chosen here is chosen by the same numbers.
+        to, new = space.apart((to, trial(to, now.step)))
         slack = SLACK * rounding * (1.0 + space.abs(now.value))
         # Where rounding hides what a step gains, its slope at the end decides.
         is_level = (new.value <= now.value + slack) & (new.slope <= (1.0 - 2.0 * ENOUGH) * now.fall)
