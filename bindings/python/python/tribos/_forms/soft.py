@@ -27,7 +27,7 @@ def support(space: Space, form: Form, twists: Any, limit: Any, soft: Any = None)
 def wrench(space: Space, form: Form, twists: Any, limit: Any, soft: Any = None) -> Any:
     """Friction, minus the gradient of the support."""
     if soft is None:
-        return limit[..., None] * form.wrench(space, twists)
+        return sets.scaled(space, limit, form.wrench(space, twists))
     at = _softened(space, form, twists, soft)
     slow = (sum(a * b for a, b in zip(row, space.parts(twists), strict=True)) for row in at.slopes)
     share = -limit / at.root
