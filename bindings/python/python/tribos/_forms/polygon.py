@@ -92,9 +92,8 @@ class Flat:
         outline = outline_of(space, space.still(self.corners), _rank(wrenches))
         wrenches, unit = space.still(wrenches), space.still(self.unit)
         _, above = self._above(space, outline, wrenches)
-        # Torques in units of the largest one about the origin.
-        zero = 0.0 * outline.centre_x
-        arm, _, _ = _power(space, outline, outline.motion(zero, zero, 1.0 + zero))
+        # Torques in units of about the largest one about the origin.
+        arm = outline.arm(space)
         x, y, spin = outline.twist(above.motion)
         push = _push_about_origin(outline, above.push, arm)
         found = polygon_search.nearest(
@@ -127,10 +126,7 @@ class Flat:
         # Any direction does for no wrench.
         direction, size, _ = in_its_unit(space, Motion(x, y, torque))
         (x, y, torque), per_length = of_length_one(space, direction)
-        # From the normal of the ellipsoid with the same largest force and torque on.
-        zero = 0.0 * outline.centre_x
-        most, _, _ = _power(space, outline, Motion(zero, zero, 1.0 + zero))
-        start = x, y, torque / (most * most)
+        start = x, y, torque / outline.bend((x, y, torque))
         found = polygon_search.above(
             space, lambda at: _power(space, outline, Motion(*at)), (x, y, torque), start
         )
