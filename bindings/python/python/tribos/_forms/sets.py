@@ -114,17 +114,9 @@ def _push(space: Space, form: Form, twists: Any) -> Any:
 
 def _push_by_arrays(space: Space, form: Form, normals: Any, by: Any) -> Any:
     """The change of the push at fixed motions along tangents of the form's arrays, None for none."""
-    changing = [n for n, rate in enumerate(by) if rate is not None]
-
-    def of(*moved: Any) -> Any:
-        arrays = list(form.arrays)
-        for n, array in zip(changing, moved, strict=True):
-            arrays[n] = array
-        return _push(space, form.of(tuple(arrays)), normals)
-
-    if not changing:
+    if all(rate is None for rate in by):
         return None
-    return space.pushed(of, [form.arrays[n] for n in changing], [by[n] for n in changing])
+    return space.pushed(lambda *at: _push(space, form.of(at), normals), form.arrays, by)
 
 
 def _sum(*terms: Any) -> Any:

@@ -8,6 +8,7 @@ w stands in for it, T the torque of spinning per mu N.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from tribos._forms import sets
@@ -63,7 +64,7 @@ class _Softened(NamedTuple):
     """D, its square and its root with the softening speed in a unit of speed."""
 
     is_rest: Any
-    push: tuple[Any, Any, Any]
+    push: Sequence[Any]
     unit: Any
     """A constant to every derivative."""
     power: Any
