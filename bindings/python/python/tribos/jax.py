@@ -57,17 +57,25 @@ from jax.custom_derivatives import SymbolicZero
 
 from tribos import _gradients
 from tribos._checks import positive
+from tribos._forms.pushed_path import Journey
+from tribos._forms.pushing import PointContact, Push
 from tribos._friction import Friction
 from tribos._gradients import Operation, finite_derivatives, length_of
+from tribos._jax_pushing import push, push_along
 from tribos._planar import Step
 
 __all__ = [
+    "Journey",
+    "PointContact",
+    "Push",
     "Slide",
     "Step",
     "gauge",
     "normal",
     "planar_step",
     "project",
+    "push",
+    "push_along",
     "slide",
     "support",
     "wrench",

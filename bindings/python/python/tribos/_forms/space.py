@@ -18,6 +18,12 @@ class Space(Protocol):
     def log(self, x: Any) -> Any:
         """Natural logarithm."""
 
+    def cos(self, x: Any) -> Any:
+        """Cosine of an angle in rad."""
+
+    def sin(self, x: Any) -> Any:
+        """Sine of an angle in rad."""
+
     def abs(self, x: Any) -> Any:
         """Absolute value; its derivative at 0 is 0."""
 
@@ -34,7 +40,7 @@ class Space(Protocol):
         """A number or a table in the type of an array, on its device."""
 
     def type_of(self, x: Any) -> str:
-        """"float32" or "float64"."""
+        """ "float32" or "float64"."""
 
     def still(self, x: Any) -> Any:
         """The same without derivatives."""
@@ -44,6 +50,14 @@ class Space(Protocol):
 
     def loop(self, step: Callable[[Any], Any], state: Any, count: int) -> Any:
         """The state after so many steps, without derivatives."""
+
+    def until(self, step: Callable[[Any], Any], state: Any, most: int) -> Any:
+        """The state after so many steps, or when its last part, a mask, holds everywhere; without derivatives."""
+
+    def course(
+        self, step: Callable[[Any, Any], tuple[Any, Any]], state: Any, rows: Any
+    ) -> tuple[Any, Any]:
+        """The state after a step for each row of the arrays' first axis, and what the steps give beside it, in rows."""
 
     def pushed(
         self, of: Callable[..., Any], arguments: Sequence[Any], tangents: Sequence[Any]

@@ -11,6 +11,8 @@ import jax.numpy as jnp
 where = jnp.where
 sqrt = jnp.sqrt
 log = jnp.log
+cos = jnp.cos
+sin = jnp.sin
 abs = jnp.abs
 still = jax.lax.stop_gradient
 
@@ -41,6 +43,19 @@ apart = jax.lax.optimization_barrier
 
 def loop(step: Callable[[Any], Any], state: Any, count: int) -> Any:
     return jax.lax.fori_loop(0, count, lambda _, now: step(now), still(state))
+
+
+def until(step: Callable[[Any], Any], state: Any, most: int) -> Any:
+    def goes_on(now: Any) -> Any:
+        count, (*_, is_done) = now
+        return (count < most) & ~jnp.all(is_done)
+
+    return jax.lax.while_loop(goes_on, lambda now: (now[0] + 1, step(now[1])), (0, still(state)))[1]
+
+
+def course(step: Callable[[Any, Any], tuple[Any, Any]], state: Any, rows: Any) -> tuple[Any, Any]:
+    made: tuple[Any, Any] = jax.lax.scan(step, state, rows)
+    return made
 
 
 def pushed(of: Callable[..., Any], arguments: Sequence[Any], tangents: Sequence[Any]) -> Any:
