@@ -42,17 +42,26 @@ class Space(Protocol):
     def type_of(self, x: Any) -> str:
         """ "float32" or "float64"."""
 
+    def moves(self, x: Any) -> bool:
+        """Whether derivatives by it may be asked for; constants of numpy have none."""
+
     def still(self, x: Any) -> Any:
         """The same without derivatives."""
 
     def apart(self, x: Any) -> Any:
         """The same, not to be computed again at each use."""
 
-    def loop(self, step: Callable[[Any], Any], state: Any, count: int) -> Any:
-        """The state after so many steps, without derivatives."""
+    def epsilon(self, x: Any) -> float:
+        """The distance from 1 to the next number of a type."""
 
-    def until(self, step: Callable[[Any], Any], state: Any, most: int) -> Any:
-        """The state after so many steps, or when its last part, a mask, holds everywhere; without derivatives."""
+    def loop(
+        self,
+        step: Callable[[Any], Any],
+        state: Any,
+        count: int,
+        is_done: Callable[[Any], Any] | None = None,
+    ) -> Any:
+        """The state after so many steps, or before as soon as all of `is_done` holds; without derivatives."""
 
     def course(
         self, step: Callable[[Any, Any], tuple[Any, Any]], state: Any, rows: Any

@@ -41,16 +41,28 @@ def type_of(x: Any) -> str:
 apart = jax.lax.optimization_barrier
 
 
-def loop(step: Callable[[Any], Any], state: Any, count: int) -> Any:
-    return jax.lax.fori_loop(0, count, lambda _, now: step(now), still(state))
+def moves(x: Any) -> bool:
+    return isinstance(x, jax.Array)
 
 
-def until(step: Callable[[Any], Any], state: Any, most: int) -> Any:
-    def goes_on(now: Any) -> Any:
-        count, (*_, is_done) = now
-        return (count < most) & ~jnp.all(is_done)
+def epsilon(x: Any) -> float:
+    return float(jnp.finfo(x.dtype).eps)
 
-    return jax.lax.while_loop(goes_on, lambda now: (now[0] + 1, step(now[1])), (0, still(state)))[1]
+
+def loop(
+    step: Callable[[Any], Any],
+    state: Any,
+    count: int,
+    is_done: Callable[[Any], Any] | None = None,
+) -> Any:
+    start = still(state)
+    if is_done is None:
+        return jax.lax.fori_loop(0, count, lambda _, now: step(now), start)
+
+    def goes_on(at: Any) -> Any:
+        return (at[0] < count) & ~jnp.all(is_done(at[1]))
+
+    return jax.lax.while_loop(goes_on, lambda at: (at[0] + 1, step(at[1])), (0, start))[1]
 
 
 def course(step: Callable[[Any, Any], tuple[Any, Any]], state: Any, rows: Any) -> tuple[Any, Any]:
