@@ -24,12 +24,21 @@ def stack(parts: Sequence[Any]) -> Any:
     return np.stack(np.broadcast_arrays(*parts), axis=-1)
 
 
+def first_axis(x: Any, rank: int) -> Any:
+    first = np.moveaxis(x, -1, 0)
+    return first.reshape(first.shape[:1] + (1,) * (rank + 1 - first.ndim) + first.shape[1:])
+
+
 def total(x: Any) -> Any:
-    return np.sum(x, axis=-1)
+    return np.sum(x, axis=0)
+
+
+def largest(x: Any) -> Any:
+    return np.max(x, axis=0)
 
 
 def following(x: Any) -> Any:
-    return np.roll(x, -1, axis=-1)
+    return np.roll(x, -1, axis=0)
 
 
 def constant(c: Any, like: Any) -> Any:
@@ -67,3 +76,6 @@ def pushed(of: Callable[..., Any], arguments: Sequence[Any], tangents: Sequence[
 
 def ruled(value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
     return value
+
+
+ruled_by_part = ruled

@@ -30,11 +30,17 @@ class Space(Protocol):
     def stack(self, parts: Sequence[Any]) -> Any:
         """Arrays side by side along a new last axis, after broadcasting."""
 
+    def first_axis(self, x: Any, rank: int) -> Any:
+        """The last axis as the first one, before `rank` others: axes of length 1 where there are fewer."""
+
     def total(self, x: Any) -> Any:
-        """Sum along the last axis."""
+        """Sum along the first axis."""
+
+    def largest(self, x: Any) -> Any:
+        """The largest along the first axis."""
 
     def following(self, x: Any) -> Any:
-        """Each entry's successor along the last axis, the first after the last."""
+        """Each entry's successor along the first axis, the first after the last."""
 
     def constant(self, c: Any, like: Any) -> Any:
         """A number or a table in the type of an array, on its device."""
@@ -82,3 +88,6 @@ class Space(Protocol):
         the arguments and at the arguments without derivatives, along arguments less their values, which is exact to second
         order.
         """
+
+    def ruled_by_part(self, value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
+        """The same with tangents of None for arguments that do not change."""

@@ -7,6 +7,7 @@ from typing import Any
 
 import jax
 import jax.numpy as jnp
+from jax.custom_derivatives import SymbolicZero
 
 where = jnp.where
 sqrt = jnp.sqrt
@@ -21,12 +22,21 @@ def stack(parts: Sequence[Any]) -> Any:
     return jnp.stack(jnp.broadcast_arrays(*parts), axis=-1)
 
 
+def first_axis(x: Any, rank: int) -> Any:
+    first = jnp.moveaxis(x, -1, 0)
+    return first.reshape(first.shape[:1] + (1,) * (rank + 1 - first.ndim) + first.shape[1:])
+
+
 def total(x: Any) -> Any:
-    return jnp.sum(x, axis=-1)
+    return jnp.sum(x, axis=0)
+
+
+def largest(x: Any) -> Any:
+    return jnp.max(x, axis=0)
 
 
 def following(x: Any) -> Any:
-    return jnp.roll(x, -1, axis=-1)
+    return jnp.roll(x, -1, axis=0)
 
 
 def constant(c: Any, like: Any) -> Any:
@@ -77,4 +87,14 @@ def pushed(of: Callable[..., Any], arguments: Sequence[Any], tangents: Sequence[
 def ruled(value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
     made = jax.custom_jvp(value)
     made.defjvp(rule)
+    return made
+
+
+def ruled_by_part(value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
+    made = jax.custom_jvp(value)
+
+    def of_changing(arguments: Any, tangents: Any) -> Any:
+        return rule(arguments, [None if isinstance(t, SymbolicZero) else t for t in tangents])
+
+    made.defjvp(of_changing, symbolic_zeros=True)
     return made
