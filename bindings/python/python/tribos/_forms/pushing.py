@@ -215,10 +215,13 @@ def _search(space: Space, floor: Floor, at: _Contact) -> tuple[Any, Any, Any]:
         newton = spin - torque / slope
         is_within = (newton > low - finest) & (newton < high + finest)
         after = space.where(is_within, newton, 0.5 * (low + high))
-        return after, low, high, slope, space.abs(after - spin) <= finest
+        return after, low, high, slope, space.abs(after - spin)
 
-    state = (start, -_FASTEST * one, _FASTEST * one, one, one < 0.0)
-    spin, _, _, slope, _ = space.until(step, state, _MOST_STEPS)
+    def is_done(state: Any) -> Any:
+        return state[-1] <= finest
+
+    state = (start, -_FASTEST * one, _FASTEST * one, one, one)
+    spin, _, _, slope, _ = space.loop(step, state, _MOST_STEPS, is_done)
     return lever, spin, slope
 
 
