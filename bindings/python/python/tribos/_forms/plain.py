@@ -24,6 +24,10 @@ def stack(parts: Sequence[Any]) -> Any:
     return np.stack(np.broadcast_arrays(*parts), axis=-1)
 
 
+def parts(rows: Any) -> Sequence[Any]:
+    return list(np.moveaxis(rows, -1, 0))
+
+
 def first_axis(x: Any, rank: int) -> Any:
     first = np.moveaxis(x, -1, 0)
     return first.reshape(first.shape[:1] + (1,) * (rank + 1 - first.ndim) + first.shape[1:])
@@ -49,10 +53,6 @@ def type_of(x: Any) -> str:
     return str(x.dtype)
 
 
-def moves(x: Any) -> bool:
-    return False
-
-
 def epsilon(x: Any) -> float:
     return float(np.finfo(x.dtype).eps)
 
@@ -76,6 +76,3 @@ def pushed(of: Callable[..., Any], arguments: Sequence[Any], tangents: Sequence[
 
 def ruled(value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
     return value
-
-
-ruled_by_part = ruled

@@ -161,12 +161,14 @@ def _ruled(space: Space) -> Any:
                     by = rate * moves
                     changes = [change - part * by for change, part in zip(changes, column)]
         if any(moves is not None for moves in rates[3:]):
-            still = [0.0 * corner if moves is None else moves for corner, moves in zip((x, y), rates[3:])]
+            still = [
+                0.0 * corner if moves is None else moves for corner, moves in zip((x, y), rates[3:])
+            ]
             pushed = friction_rates(space, unit, edge, made, (x, y, inv_area), (still[0], still[1]))
             changes = [change + part for change, part in zip(changes, pushed)]
         return tuple(made), tuple(changes)
 
-    return space.ruled_by_part(value, rule)
+    return space.ruled(value, rule)
 
 
 def inverse_area(space: Space, x: Any, y: Any) -> Any:

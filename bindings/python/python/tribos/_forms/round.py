@@ -87,7 +87,8 @@ class Round:
     def _speeds(self, space: Space, twists: Any) -> tuple[Any, Any, Any, Any, Any]:
         """Velocity and rim speed in units of the largest, which is a constant to every derivative as friction does not
         depend on it, that unit, and whether all are 0; then any regular point stands in."""
-        x, y, r = twists[..., 0], twists[..., 1], twists[..., 2] * self.radius
+        x, y, spin = space.parts(twists)
+        r = spin * self.radius
         is_rest = (x == 0.0) & (y == 0.0) & (r == 0.0)
         size = space.abs(space.still(x))
         for part in (y, r):
@@ -100,7 +101,8 @@ class Round:
 
 def _lengths(space: Space, wrenches: Any, radius: Any) -> tuple[Any, Any, Any, Any, Any]:
     """Direction and size of the forces, sense and size of the torques per radius."""
-    x, y, torque = wrenches[..., 0], wrenches[..., 1], wrenches[..., 2] / radius
+    x, y, torque = space.parts(wrenches)
+    torque = torque / radius
     size = space.abs(x)
     size = space.where(size < space.abs(y), space.abs(y), size)
     is_none = size == 0.0
@@ -127,9 +129,9 @@ def _pull(space: Space, pressure: Pressure) -> Callable[..., Any]:
         return force * x, force * y, torque * r
 
     def rule(at: Any, by: Any) -> Any:
-        made, (xx, xy, yy, xr, yr, rr) = _pull_and_bend(space, pressure, *at)
-        x, y, r = by
-        return made, (xx * x + xy * y + xr * r, xy * x + yy * y + yr * r, xr * x + yr * y + rr * r)
+        made, (xx, xy, yy, xr, yr, rr) = space.apart(_pull_and_bend(space, pressure, *at))
+        rows = (xx, xy, xr), (xy, yy, yr), (xr, yr, rr)
+        return made, tuple(_along(row, by) for row in rows)
 
     return space.ruled(value, rule)
 
@@ -145,9 +147,14 @@ def _power(space: Space, pressure: Pressure) -> Callable[..., Any]:
 
     def rule(at: Any, by: Any) -> Any:
         made = pull(*at)
-        return tuple(sum(a * b for a, b in zip(made, row, strict=True)) for row in (at, by))
+        return _along(made, at), _along(made, by)
 
     return space.ruled(value, rule)
+
+
+def _along(slopes: Any, by: Any) -> Any:
+    """The rate along tangents, of which None are none."""
+    return sum(slope * rate for slope, rate in zip(slopes, by, strict=True) if rate is not None)
 
 
 def _pull_and_bend(space: Space, pressure: Pressure, x: Any, y: Any, r: Any) -> tuple[Any, Any]:

@@ -22,19 +22,15 @@ from tribos._forms.space import Space
 COLLAR = 64.0
 
 
-def parts(rows: Any) -> tuple[Any, Any, Any]:
-    """The three components of twists or wrenches."""
-    return rows[..., 0], rows[..., 1], rows[..., 2]
-
-
-def dot(a: Any, b: Any) -> Any:
+def dot(space: Space, a: Any, b: Any) -> Any:
     """The sum of the products of components."""
-    return a[..., 0] * b[..., 0] + a[..., 1] * b[..., 1] + a[..., 2] * b[..., 2]
+    x, y, z = (one * other for one, other in zip(space.parts(a), space.parts(b), strict=True))
+    return x + y + z
 
 
-def is_none(rows: Any) -> Any:
+def is_none(space: Space, rows: Any) -> Any:
     """Whether all three components are 0."""
-    x, y, z = parts(rows)
+    x, y, z = space.parts(space.still(rows))
     return (x == 0.0) & (y == 0.0) & (z == 0.0)
 
 
@@ -43,7 +39,7 @@ def gauge(space: Space, form: Form, wrenches: Any, limit: Any) -> Any:
 
     0 for none, infinite without a limit, both with derivatives 0; NaN under a negative one.
     """
-    nothing = is_none(wrenches)
+    nothing = is_none(space, wrenches)
     _, gauges = _on_rays(space, form, wrenches, nothing)
     has_none = limit == 0.0
     made = gauges / space.where(has_none, 1.0, _not_negative(space, limit))
@@ -53,18 +49,18 @@ def gauge(space: Space, form: Form, wrenches: Any, limit: Any) -> Any:
 
 def normal(space: Space, form: Form, wrenches: Any) -> Any:
     """The motion that pushes cause, with |velocity|² + (spin reach)² = 1; 0 for none, with derivatives 0."""
-    nothing = is_none(wrenches)
-    x, y, spin = parts(_on_rays(space, form, wrenches, nothing)[0])
+    nothing = is_none(space, wrenches)
+    x, y, spin = space.parts(_on_rays(space, form, wrenches, nothing)[0])
     share = space.where(nothing, 0.0, 1.0 + 0.0 * x)
     return space.stack((share * x, share * y, share * spin / form.reach(space)))
 
 
 def project(space: Space, form: Form, wrenches: Any, limit: Any, length: Any) -> tuple[Any, Any]:
     """The nearest wrenches of the set by |force|² + (torque/length)², and whether the given ones are in it."""
-    x, y, torque = parts(wrenches)
+    x, y, torque = space.parts(wrenches)
     scaled = space.stack((x, y, torque / length))
     points, inside = nearest(space, form.per(space, length), scaled, limit)
-    near = parts(points)
+    near = space.parts(points)
     kept = (
         space.where(inside, a, b) for a, b in zip((x, y, torque), (*near[:2], near[2] * length))
     )
@@ -74,25 +70,14 @@ def project(space: Space, form: Form, wrenches: Any, limit: Any, length: Any) ->
 def nearest(space: Space, form: Form, wrenches: Any, limit: Any) -> tuple[Any, Any]:
     """The same by |force|² + torque²; for wrenches in the set any numbers."""
     points, normals, beyond = _nearest(space, form)(
-        wrenches, _not_negative(space, limit), *_moving(space, form)
+        wrenches, _not_negative(space, limit), *form.arrays
     )
-    width = COLLAR * space.epsilon(beyond) * space.still(dot(normals, points))
+    width = COLLAR * space.epsilon(beyond) * space.still(dot(space, normals, points))
     return points, space.still(beyond) <= width
 
 
 def _not_negative(space: Space, limit: Any) -> Any:
     return space.where(limit >= 0.0, limit, space.constant(float("nan"), limit))
-
-
-def _moving(space: Space, form: Form) -> list[Any]:
-    """The form's arrays that derivatives may be asked by."""
-    return [array for array in form.arrays if space.moves(array)]
-
-
-def _with(space: Space, form: Form, moving: tuple[Any, ...]) -> Form:
-    """The form with others in the place of those."""
-    given = iter(moving)
-    return form.of(tuple(next(given) if space.moves(a) else a for a in form.arrays))
 
 
 def _push(space: Space, form: Form, twists: Any) -> Any:
@@ -101,37 +86,55 @@ def _push(space: Space, form: Form, twists: Any) -> Any:
 
 
 def _push_by_arrays(space: Space, form: Form, normals: Any, by: Any) -> Any:
-    """The change of the push at fixed motions along tangents of the form's moving arrays."""
-    moving = tuple(_moving(space, form))
-    if not moving:
-        return 0.0
-    return space.pushed(lambda *at: _push(space, _with(space, form, at), normals), moving, by)
+    """The change of the push at fixed motions along tangents of the form's arrays, None for none."""
+    changing = [n for n, rate in enumerate(by) if rate is not None]
+
+    def of(*moved: Any) -> Any:
+        arrays = list(form.arrays)
+        for n, array in zip(changing, moved, strict=True):
+            arrays[n] = array
+        return _push(space, form.of(tuple(arrays)), normals)
+
+    if not changing:
+        return None
+    return space.pushed(of, [form.arrays[n] for n in changing], [by[n] for n in changing])
+
+
+def _sum(*terms: Any) -> Any:
+    """The sum of those that are not None."""
+    return sum(term for term in terms if term is not None)
+
+
+def _scaled(factor: Any, rows: Any) -> Any:
+    """Rows times a number each, None for none."""
+    return None if factor is None or rows is None else factor[..., None] * rows
 
 
 def _on_rays(space: Space, form: Form, wrenches: Any, nothing: Any) -> tuple[Any, Any]:
     """Normals in the unit of the form's reach, and gauges under the force limit 1."""
     reach = form.reach(space)
-    x, y, torque = parts(wrenches)
+    x, y, torque = space.parts(wrenches)
     safe = space.stack((space.where(nothing, 1.0, x), y, torque / reach))
     form = form.per(space, reach)
-    normals, gauges = _rays(space, form)(safe, *_moving(space, form))
+    normals, gauges = _rays(space, form)(safe, *form.arrays)
     return normals, gauges
 
 
 def _rays(space: Space, form: Form) -> Callable[..., tuple[Any, Any]]:
-    """Normals and gauges by wrenches and the form's moving arrays."""
+    """Normals and gauges by wrenches and the form's arrays."""
 
-    def value(wrenches: Any, *moving: Any) -> tuple[Any, Any]:
-        normals, gauges = _with(space, form, moving).ray(space, wrenches)
+    def value(wrenches: Any, *arrays: Any) -> tuple[Any, Any]:
+        normals, gauges = form.of(arrays).ray(space, wrenches)
         return normals, gauges
 
     def rule(at: Any, by: Any) -> Any:
         normals, gauges = solution(*at)
-        here = _with(space, form, at[1:])
-        power = here.support(space, normals)
-        moved = by[0] - gauges[..., None] * _push_by_arrays(space, here, normals, by[1:])
-        rate = dot(normals, moved) / power
-        across = moved - rate[..., None] * _push(space, here, normals)
+        here = form.of(at[1:])
+        push = _push(space, here, normals)
+        by_arrays = _push_by_arrays(space, here, normals, by[1:])
+        moved = _sum(by[0], _scaled(-gauges, by_arrays))
+        rate = dot(space, normals, moved) / dot(space, normals, push)
+        across = moved - rate[..., None] * push
         turned = _turned(space, here, normals, across, gauges, 0.0)[0]
         return (normals, gauges), (turned, rate)
 
@@ -140,14 +143,14 @@ def _rays(space: Space, form: Form) -> Callable[..., tuple[Any, Any]]:
 
 
 def _nearest(space: Space, form: Form) -> Callable[..., tuple[Any, Any, Any]]:
-    """Nearest points, normals and distances by wrenches, force limits and the form's moving arrays."""
+    """Nearest points, normals and distances by wrenches, force limits and the form's arrays."""
 
-    def value(wrenches: Any, limit: Any, *moving: Any) -> tuple[Any, Any, Any]:
+    def value(wrenches: Any, limit: Any, *arrays: Any) -> tuple[Any, Any, Any]:
         # Without a limit the nearest point is 0, along the wrench itself.
         some = ~(limit == 0.0)
         unit = space.where(some, limit, 1.0)[..., None]
-        found = _with(space, form, moving).nearest(space, wrenches / unit)
-        size = space.sqrt(dot(wrenches, wrenches))
+        found = form.of(arrays).nearest(space, wrenches / unit)
+        size = space.sqrt(dot(space, wrenches, wrenches))
         along = wrenches / space.where(size == 0.0, 1.0, size)[..., None]
         return (
             limit[..., None] * found.points,
@@ -158,15 +161,14 @@ def _nearest(space: Space, form: Form) -> Callable[..., tuple[Any, Any, Any]]:
     def rule(at: Any, by: Any) -> Any:
         points, normals, beyond = solution(*at)
         limit = at[1]
-        here = _with(space, form, at[2:])
-        push = _push(space, here, normals)
-        grown = push * by[1][..., None]
-        grown = grown + limit[..., None] * _push_by_arrays(space, here, normals, by[2:])
-        moved = by[0] - grown
+        here = form.of(at[2:])
+        by_arrays = _scaled(limit, _push_by_arrays(space, here, normals, by[2:]))
+        grown = _sum(0.0 * points, _scaled(by[1], _push(space, here, normals)), by_arrays)
+        moved = -grown if by[0] is None else by[0] - grown
         # Inside nothing is asked for.
         outside = space.where(beyond <= 0.0, 1.0, beyond)
         turned, along = _turned(space, here, normals, moved, limit, outside)
-        return (points, normals, beyond), (grown + along, turned, dot(normals, moved))
+        return (points, normals, beyond), (grown + along, turned, dot(space, normals, moved))
 
     solution = space.ruled(value, rule)
     return solution
@@ -177,7 +179,7 @@ def _turned(
 ) -> tuple[Any, Any]:
     """(distance + scale H)⁻¹ of the part of `moved` across the normals, and scale H of that."""
     xx, xy, yy, xt, yt, tt = (scale * part for part in form.hessian(space, normals))
-    x, y, z = parts(moved - normals * dot(normals, moved)[..., None])
+    x, y, z = space.parts(moved - normals * dot(space, normals, moved)[..., None])
     trace = xx + yy + tt
     minors = (xx * yy - xy * xy) + (xx * tt - xt * xt) + (yy * tt - yt * yt)
     per = 1.0 / (distance * (distance + trace) + minors)

@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from tribos._forms.form import Form
-from tribos._forms.sets import is_none, parts
+from tribos._forms.sets import dot, is_none
 from tribos._forms.space import Space
 
 
@@ -28,11 +28,13 @@ def wrench(space: Space, form: Form, twists: Any, limit: Any, soft: Any = None) 
     if soft is None:
         return limit[..., None] * form.wrench(space, twists)
     at = _softened(space, form, twists, soft)
-    slow = (sum(a * b for a, b in zip(row, parts(twists), strict=True)) for row in at.slopes)
-    rows = zip(slow, parts(form.wrench(space, twists)), strict=True)
-    share = limit / at.root
+    slow = (sum(a * b for a, b in zip(row, space.parts(twists), strict=True)) for row in at.slopes)
+    share = -limit / at.root
     return space.stack(
-        [share * space.where(at.is_rest, -one / at.unit, at.power * other) for one, other in rows]
+        [
+            share * space.where(at.is_rest, one / at.unit, at.power * other)
+            for one, other in zip(slow, at.push, strict=True)
+        ]
     )
 
 
@@ -43,12 +45,11 @@ def jacobian(space: Space, form: Form, twists: Any, limit: Any, soft: Any = None
     if soft is None:
         return -limit[..., None, None] * _matrix(space, rows)
     at = _softened(space, form, twists, soft)
-    push = parts(form.wrench(space, twists))
     # D H/root + soft² g g/root³
     bend = at.soft * at.soft / (at.unit * at.root * at.root)
     moving = [
-        [at.power * a + bend * (one * other) for a, other in zip(row, push, strict=True)]
-        for row, one in zip(rows, push, strict=True)
+        [at.power * a + bend * (one * other) for a, other in zip(row, at.push, strict=True)]
+        for row, one in zip(rows, at.push, strict=True)
     ]
     made = [
         [space.where(at.is_rest, a / at.unit, b) for a, b in zip(*pair, strict=True)]
@@ -61,6 +62,7 @@ class _Softened(NamedTuple):
     """D, its square and its root with the softening speed in a unit of speed."""
 
     is_rest: Any
+    push: tuple[Any, Any, Any]
     unit: Any
     """A constant to every derivative."""
     power: Any
@@ -72,19 +74,21 @@ class _Softened(NamedTuple):
 
 
 def _softened(space: Space, form: Form, twists: Any, soft: Any) -> _Softened:
-    power = form.support(space, twists)
+    push = space.apart(-form.wrench(space, twists))
+    # Euler: the support is of degree 1.
+    power = dot(space, push, twists)
     unit = space.still(space.where(power < soft, soft + 0.0 * power, power))
     # Without softening there is nothing at rest.
     unit = space.where(unit == 0.0, 1.0, unit)
     slopes = _slopes_at_rest(form.centre(space), form.spin(space))
-    x, y, spin = (part / unit for part in parts(twists))
+    x, y, spin = (part / unit for part in space.parts(twists))
     (cx, cy), arm = form.centre(space), form.spin(space)
     u, v, turn = x - spin * cy, y + spin * cx, spin * arm
-    is_rest, power, soft = is_none(twists), power / unit, soft / unit
+    is_rest, power, soft = is_none(space, twists), power / unit, soft / unit
     square = space.where(is_rest, u * u + v * v + turn * turn, power * power)
     whole = square + soft * soft
     root = space.sqrt(space.where(whole == 0.0, 1.0, whole))
-    return _Softened(is_rest, unit, power, soft, square, root, slopes)
+    return _Softened(is_rest, space.parts(push), unit, power, soft, square, root, slopes)
 
 
 def _slopes_at_rest(centre: tuple[Any, Any], arm: Any) -> Any:

@@ -30,6 +30,9 @@ class Space(Protocol):
     def stack(self, parts: Sequence[Any]) -> Any:
         """Arrays side by side along a new last axis, after broadcasting."""
 
+    def parts(self, rows: Any) -> Sequence[Any]:
+        """The entries along the last axis one by one, cheap to transpose: the inverse of `stack`."""
+
     def first_axis(self, x: Any, rank: int) -> Any:
         """The last axis as the first one, before `rank` others: axes of length 1 where there are fewer."""
 
@@ -47,9 +50,6 @@ class Space(Protocol):
 
     def type_of(self, x: Any) -> str:
         """ "float32" or "float64"."""
-
-    def moves(self, x: Any) -> bool:
-        """Whether derivatives by it may be asked for; constants of numpy have none."""
 
     def still(self, x: Any) -> Any:
         """The same without derivatives."""
@@ -82,12 +82,9 @@ class Space(Protocol):
     def ruled(self, value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
         """A function with its own first derivative.
 
-        `rule(arguments, tangents)` gives the values and their rates, linear in the tangents; it is made of
-        operations of the space, so that it can be differentiated in turn. Where `value` is a search it is the only source
+        `rule(arguments, tangents)` gives the values and their rates, linear in the tangents, which are None for arguments
+        that do not change; it is made of operations of the space, so that it can be differentiated in turn. Where `value` is a search it is the only source
         of derivatives: a library without rules takes the value without derivatives, and adds half the sum of the rates at
         the arguments and at the arguments without derivatives, along arguments less their values, which is exact to second
         order.
         """
-
-    def ruled_by_part(self, value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
-        """The same with tangents of None for arguments that do not change."""

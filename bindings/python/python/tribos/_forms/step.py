@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from tribos._forms.form import Form
-from tribos._forms.sets import dot, nearest, parts
+from tribos._forms.sets import dot, nearest
 from tribos._forms.space import Space
 
 
@@ -28,9 +28,9 @@ def planar_step(
     # With the radius of gyration as the unit of length the mass is the same along all three axes.
     gyration = space.sqrt(inertia / mass)
     form = form.per(space, gyration)
-    x, y, spin = parts(twists)
+    x, y, spin = space.parts(twists)
     before = space.stack((x, y, spin * gyration))
-    fx, fy, torque = parts(pushes)
+    fx, fy, torque = space.parts(pushes)
     push = space.stack((fx, fy, torque / gyration))
     momentum, rate = (mass / dt)[..., None], (dt / mass)[..., None]
 
@@ -46,8 +46,8 @@ def planar_step(
     after = moved(midway)
     # The motion at the end under the friction that it meets there, if that takes power.
     late = moved(ended)
-    gains = dot(ended, before + late) > 0.0
-    takes_late = (_turns_about(before, after) & ~gains)[..., None]
+    gains = dot(space, ended, before + late) > 0.0
+    takes_late = (_turns_about(space, before, after) & ~gains)[..., None]
     rests = holds[..., None]
     after = space.where(rests, 0.0 * after, space.where(takes_late, late, after))
     friction = space.where(rests, at_end, space.where(takes_late, ended, midway))
@@ -58,12 +58,12 @@ def planar_step(
     )
 
 
-def _turns_about(before: Any, after: Any) -> Any:
+def _turns_about(space: Space, before: Any, after: Any) -> Any:
     """Whether velocity or spin have another sense after."""
-    x, y, spin = (a * b for a, b in zip(parts(before), parts(after), strict=True))
+    x, y, spin = (a * b for a, b in zip(space.parts(before), space.parts(after), strict=True))
     return (x + y < 0.0) | (spin < 0.0)
 
 
 def _with_length(space: Space, rows: Any, length: Any) -> Any:
-    x, y, turn = parts(rows)
+    x, y, turn = space.parts(rows)
     return space.stack((x, y, turn * length))

@@ -22,6 +22,11 @@ def stack(parts: Sequence[Any]) -> Any:
     return jnp.stack(jnp.broadcast_arrays(*parts), axis=-1)
 
 
+def parts(rows: Any) -> Sequence[Any]:
+    # Reverse mode joins split arrays; the sum of padded slices would compute all before it nine times.
+    return [part[..., 0] for part in jnp.split(rows, rows.shape[-1], axis=-1)]
+
+
 def first_axis(x: Any, rank: int) -> Any:
     first = jnp.moveaxis(x, -1, 0)
     return first.reshape(first.shape[:1] + (1,) * (rank + 1 - first.ndim) + first.shape[1:])
@@ -47,12 +52,15 @@ def type_of(x: Any) -> str:
     return str(x.dtype)
 
 
-# Fused, every use of a value would compute all before it again.
-apart = jax.lax.optimization_barrier
+@jax.custom_jvp
+def apart(x: Any) -> Any:
+    # Fused, every use of a value would compute all before it again.
+    return jax.lax.optimization_barrier(x)
 
 
-def moves(x: Any) -> bool:
-    return isinstance(x, jax.Array)
+@apart.defjvp
+def _apart_rule(at: Any, by: Any) -> Any:
+    return apart(at[0]), by[0]
 
 
 def epsilon(x: Any) -> float:
@@ -85,12 +93,6 @@ def pushed(of: Callable[..., Any], arguments: Sequence[Any], tangents: Sequence[
 
 
 def ruled(value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
-    made = jax.custom_jvp(value)
-    made.defjvp(rule)
-    return made
-
-
-def ruled_by_part(value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
     made = jax.custom_jvp(value)
 
     def of_changing(arguments: Any, tangents: Any) -> Any:
