@@ -9,41 +9,45 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
+from tribos import _gradients, _jax_callback, _jax_native
 from tribos._forms import pushed_path, pushing, xla
 from tribos._forms.pushed_path import Journey
 from tribos._forms.pushing import PointContact, Push
 from tribos._friction import Friction
+from tribos._jax_arguments import Call
+from tribos._jax_sides import reach_on
 from tribos._patches import outline
-
-# A contact with this angle to an edge's normal, in rad, is on that edge.
-_PARALLEL = {"float64": 1e-9, "float32": 1e-5}
-
-
-def _functions() -> Any:
-    """Those of `tribos.jax`, which imports this module."""
-    import tribos.jax
-
-    return tribos.jax
 
 
 class _Floor(NamedTuple):
-    """Friction of a body on the floor, by the functions of `tribos.jax`."""
+    """Friction of a body on the floor: of a form, or of the compiled kernel."""
 
     friction: Friction
+    kind: str | None
+    size: Any
     limit: Any
-    sizes: dict[str, Any]
 
     def wrench(self, twists: Any) -> Any:
-        return _functions().wrench(self.friction, twists, 1.0 / self.friction.mu, **self.sizes)
+        if self.kind is None:
+            unit = jnp.asarray(1.0 / self.friction.mu, twists.dtype)
+            return _jax_callback.applied(_gradients.Wrench(self.friction), twists, unit)[0]
+        one = np.ones((), twists.dtype)
+        return _jax_native.wrench(self.kind, self.size, twists, one, one, None)
 
     def change(self, twists: Any, rates: Any) -> Any:
         return jax.jvp(self.wrench, (twists,), (rates,))[1]
 
     def normal(self, wrenches: Any) -> Any:
-        return _functions().normal(self.friction, wrenches, **self.sizes)
+        if self.kind is None:
+            return _jax_callback.applied(_gradients.Normal(self.friction), wrenches)[0]
+        return _jax_native.normal(self.kind, self.size, wrenches)
 
     def still(self) -> _Floor:
-        return _Floor(self.friction, *jax.lax.stop_gradient((self.limit, self.sizes)))
+        kept = [
+            jax.lax.stop_gradient(x) if isinstance(x, jax.Array) else x
+            for x in (self.size, self.limit)
+        ]
+        return _Floor(self.friction, self.kind, *kept)
 
 
 def push(
@@ -55,6 +59,7 @@ def push(
     mu: Any = None,
     radius: Any = None,
     corners: Any = None,
+    backend: str = "auto",
 ) -> Push:
     """The motion of a body under a pusher of given velocity, as `tribos.push`.
 
@@ -68,8 +73,8 @@ def push(
         Velocities of the pusher in m/s, of shape (..., 2), broadcast with contacts and loads.
     load
         Normal force of the body on the floor in N, above 0. The motion does not depend on it.
-    mu, radius, corners
-        Arrays in place of those of `friction`, as in `wrench`.
+    mu, radius, corners, backend
+        As of `wrench`.
 
     Returns
     -------
@@ -96,9 +101,10 @@ def push(
     >>> print(f"{spin(0.05):.4f} rad/s {jax.grad(spin)(0.05):.3f} rad/s/m")
     0.0729 rad/s 1.798 rad/s/m
     """
-    arrays = _typed((_point(contact), velocity, load, _sizes(mu, radius, corners)))
-    (at, velocity, load, sizes), _ = arrays
-    return pushing.push(xla, _floor(friction, load, sizes), at, velocity)
+    call = Call("push", friction, velocity, mu=mu, radius=radius, corners=corners, backend=backend)
+    at, velocity = _contact(call, contact), _pair(call, "velocity", velocity)
+    made = pushing.push(xla, _floor(call, load), at, velocity)
+    return Push(made.mode, *(call.own(part) for part in made[1:]))
 
 
 def push_along(
@@ -114,6 +120,7 @@ def push_along(
     mu: Any = None,
     radius: Any = None,
     corners: Any = None,
+    backend: str = "auto",
 ) -> Journey:
     """The path of a body under a pusher that moves at a constant velocity in each interval of time.
 
@@ -138,8 +145,8 @@ def push_along(
         Place of the patch's origin in m, and its turn in rad, at the start, of shape (..., 3).
     steps
         Steps of an interval.
-    mu, radius, corners
-        Arrays in place of those of `friction`, as in `wrench`.
+    mu, radius, corners, backend
+        As of `wrench`.
 
     Returns
     -------
@@ -163,111 +170,88 @@ def push_along(
     >>> print(path.position.shape, f"{path.angle[-1]:.3f} rad", path.end[-1])
     (21, 2) 0.839 rad 0
     """
-    given = (_point(contact), velocities, load, dt, start, _sizes(mu, radius, corners))
-    lengths = () if side is None or side == "round" else side
-    if isinstance(lengths, str) or len(lengths) not in (0, 2):
-        raise ValueError(f"side must be two lengths in m or 'round', not {side!r}")
+    sizes = {"mu": mu, "radius": radius, "corners": corners}
+    call = Call("push_along", friction, velocities, backend=backend, **sizes)
     count = operator.index(steps)
     if count < 1:
-        raise ValueError(f"steps must be a whole number > 0, not {steps!r}")
-    (at, velocities, load, dt, start, sizes, lengths), dtype = _typed((*given, lengths))
-    if isinstance(start, tuple):
-        start = jnp.stack(jnp.broadcast_arrays(*start), axis=-1)
-    if side is None:
-        lengths = _own_side(friction, at, sizes, dtype)
-    # One batch for all: what goes from step to step has its shape.
-    shapes = [row.shape[:-1] for row in (at.position, at.normal, start)]
-    shapes += [x.shape for x in (at.mu, load, dt, *lengths)] + [velocities.shape[:-2]]
-    shapes += [x.shape[:-2] if name == "corners" else x.shape for name, x in sizes.items()]
-    batch = jnp.broadcast_shapes(*shapes)
+        raise ValueError(f"{call.name}: steps must be a whole number > 0, not {steps!r}")
+    at, floor = _contact(call, contact), _floor(call, load)
+    velocities = jnp.asarray(velocities, call.type)
+    if velocities.ndim < 2 or velocities.shape[-1] != 2:
+        shape = velocities.shape
+        raise ValueError(
+            f"{call.name}: velocities must have shape (..., intervals, 2), not {shape}"
+        )
+    call.meet("velocities", velocities.shape[:-2])
+    dt = call.number("dt", dt, above=True)
+    if isinstance(start, (tuple, list)):
+        start = jnp.stack(jnp.broadcast_arrays(*(jnp.asarray(x, call.type) for x in start)), -1)
+    start, reach = call.rows("start", start), _side(call, at, side)
+    batch = call.axes
 
     def over(array: Any, *own: int) -> Any:
+        # One batch for all: what goes from step to step has its shape.
         return jnp.broadcast_to(array, batch + own)
 
     at = PointContact(over(at.position, 2), over(at.normal, 2), over(at.mu))
-    pusher = pushed_path.Pusher(at, lengths or None, _floor(friction, load, sizes))
+    pusher = pushed_path.Pusher(at, reach or None, floor)
     # One row a step; a first one of no length gives the start.
     rows = jnp.moveaxis(over(velocities, *velocities.shape[-2:]), -2, 0)
     rows = jnp.concatenate([rows[:1], jnp.repeat(rows, count, axis=0)])
     length = jnp.broadcast_to(dt / count, rows.shape[:-1]).at[0].set(0.0)
     path = pushed_path.follow(xla, pusher, over(start, 3), rows, length)
-    made: Journey = jax.tree.map(lambda x: jnp.moveaxis(x[::count], 0, len(batch)), path)
+
+    def recorded(rows: Any) -> Any:
+        moments = jnp.moveaxis(rows[::count], 0, len(batch))
+        return call.own(moments) if jnp.issubdtype(rows.dtype, jnp.floating) else moments
+
+    made: Journey = jax.tree.map(recorded, path)
     return made
 
 
-def _own_side(friction: Friction, at: PointContact, sizes: dict[str, Any], dtype: Any) -> Any:
-    """How far the patch's own side goes on; nothing for a round patch."""
-    if "corners" in sizes:
-        return _reach(sizes["corners"], jnp.roll(sizes["corners"], -1, axis=-2), at)
-    loops = [np.array(loop) for loop in outline(friction.patch)]
-    if not loops and friction.patch.kind != "points":
+def _contact(call: Call, contact: Any) -> PointContact:
+    return PointContact(
+        _pair(call, "position", contact.position),
+        _pair(call, "normal", contact.normal),
+        call.number("mu of the contact", contact.mu),
+    )
+
+
+def _pair(call: Call, key: str, given: Any) -> Any:
+    """Rows of two numbers."""
+    made = jnp.asarray(given, call.type)
+    if made.shape[-1:] != (2,):
+        raise ValueError(f"{call.name}: {key} must have shape (..., 2), not {made.shape}")
+    call.meet(key, made.shape[:-1])
+    return made
+
+
+def _floor(call: Call, load: Any) -> _Floor:
+    load = call.number("load", load, above=True)
+    limit = load * (call.friction.mu if call.mu is None else call.mu)
+    return _Floor(call.friction, call.kind, call.size, jnp.asarray(limit, call.type))
+
+
+def _side(call: Call, at: PointContact, side: Any) -> Any:
+    """How far a side goes on to the right and to the left; nothing for a round one."""
+    if side is None:
+        return _own_side(call, at)
+    if isinstance(side, str) and side == "round":
         return ()
-    if friction.patch.kind in ("mesh", "points"):
-        return (jnp.asarray(jnp.inf, dtype),) * 2
-    # The body lies to the left of the outer loop's edges and to the right of the holes'.
-    loops = [loop[:: _sense(loop) * (1 if at == 0 else -1)] for at, loop in enumerate(loops)]
-    ends = [np.roll(loop, -1, axis=0) for loop in loops]
-    starts, ends = (jnp.asarray(np.concatenate(rows), dtype) for rows in (loops, ends))
-    return _reach(starts, ends, at)
+    if isinstance(side, str) or len(side) != 2:
+        raise ValueError(f"{call.name}: side must be two lengths in m or 'round', not {side!r}")
+    right, left = side
+    return call.number("side", right), call.number("side", left)
 
 
-def _sense(loop: Any) -> int:
-    """1 for a loop that runs counterclockwise, and for a bar."""
-    x, y = loop.T
-    return 1 if x @ np.roll(y, -1) - y @ np.roll(x, -1) >= 0.0 else -1
-
-
-def _reach(starts: Any, ends: Any, at: PointContact) -> tuple[Any, Any]:
-    """How far the side that the contact is on goes on, to the right and to the left: from one of these edges, which have
-    the body to their left.
-
-    Without ends where the contact's normal is not that of the nearest edge, as of a flat pusher at a corner.
-    """
-    edges, off = ends - starts, at.position[..., None, :] - starts
-    length = jnp.hypot(edges[..., 0], edges[..., 1])
-    along = edges / length[..., None]
-    place = jnp.sum(along * off, axis=-1)
-    beyond = jnp.maximum(jnp.maximum(-place, place - length), 0.0)
-    distance = jax.lax.stop_gradient(jnp.hypot(_cross(along, off), beyond))
-    # The inward normal is the edge turned to the left.
-    normal = at.normal[..., None, :] / jnp.hypot(*jnp.moveaxis(at.normal, -1, 0))[..., None, None]
-    finest = _PARALLEL[str(distance.dtype)]
-    is_along = jnp.abs(jnp.sum(along * normal, axis=-1)) <= finest
-    is_along &= _cross(along, normal) > 0.0
-    nearest = jnp.min(distance, axis=-1, keepdims=True)
-    is_along &= distance <= nearest + finest * length
-    which = jnp.argmin(jnp.where(is_along, distance, jnp.inf), axis=-1, keepdims=True)
-
-    def kept(reach: Any) -> Any:
-        chosen = jnp.take_along_axis(reach, which, axis=-1)[..., 0]
-        return jnp.where(jnp.any(is_along, axis=-1), chosen, jnp.inf)
-
-    # Looking along the normal, the edge leads to the right.
-    return kept(length - place), kept(place)
-
-
-def _cross(a: Any, b: Any) -> Any:
-    return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
-
-
-def _point(contact: Any) -> PointContact:
-    return PointContact(contact.position, contact.normal, contact.mu)
-
-
-def _sizes(mu: Any, radius: Any, corners: Any) -> dict[str, Any]:
-    """What takes the place of a friction's own numbers."""
-    given = {"mu": mu, "radius": radius, "corners": corners}
-    return {name: value for name, value in given.items() if value is not None}
-
-
-def _floor(friction: Friction, load: Any, sizes: dict[str, Any]) -> _Floor:
-    others = {name: value for name, value in sizes.items() if name != "mu"}
-    return _Floor(friction, sizes.get("mu", friction.mu) * load, others)
-
-
-def _typed(given: Any) -> tuple[Any, Any]:
-    """Arrays of one type; numbers of Python take that of the others."""
-    leaves, tree = jax.tree.flatten(given)
-    leaves = [x if isinstance(x, (bool, int, float)) else jnp.asarray(x) for x in leaves]
-    dtype = jnp.result_type(float, *leaves)
-    return jax.tree.unflatten(tree, [jnp.asarray(x, dtype) for x in leaves]), dtype
+def _own_side(call: Call, at: PointContact) -> Any:
+    """The patch's own side next to a contact."""
+    patch = call.friction.patch
+    if call.kind == _jax_native.FLAT:
+        return reach_on([jnp.asarray(call.size)], at)
+    loops = outline(patch)
+    if not loops and patch.kind != "points":
+        return ()
+    if patch.kind in ("mesh", "points"):
+        return (jnp.asarray(jnp.inf, call.type),) * 2
+    return reach_on([jnp.asarray(loop, call.type) for loop in loops], at)
