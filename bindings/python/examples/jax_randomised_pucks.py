@@ -16,24 +16,19 @@ import numpy as np
 import tribos
 import tribos.jax
 
-COUNT, STEPS, DT = 4096, 600, 0.004  # s
+COUNT, STEPS, DT = 4096, 600, 0.005  # s
 GRAVITY = 9.81  # m/s²
 PUCK = tribos.Friction(tribos.disk(1.0), mu=1.0)  # radius and coefficient are arrays
 
 
 def drawn(key: jax.Array) -> dict[str, jax.Array]:
     """Coefficients, radii in m, masses in kg, speeds in m/s and spins in rad/s."""
-    ranges = {
-        "mu": (0.15, 0.5),
-        "radius": (0.03, 0.08),
-        "mass": (0.1, 1.0),
-        "speed": (0.5, 2.0),
-        "spin": (-60.0, 60.0),
-    }
+    ranges = {"mu": (0.15, 0.5), "radius": (0.03, 0.08), "mass": (0.1, 1.0)}
+    ranges |= {"speed": (0.5, 2.0), "spin": (-60.0, 60.0)}
     keys = jax.random.split(key, len(ranges))
+    pairs = zip(keys, ranges.items(), strict=True)
     return {
-        name: jax.random.uniform(one, (COUNT,), minval=low, maxval=high)
-        for one, (name, (low, high)) in zip(keys, ranges.items(), strict=True)
+        name: jax.random.uniform(one, (COUNT,), jnp.float32, *ends) for one, (name, ends) in pairs
     }
 
 
