@@ -200,29 +200,6 @@ def _reduced(space: Space) -> Callable[..., Any]:
                     by = rate * moves
                     changes = [change - part * by for change, part in zip(changes, column)]
         if any(moves is not None for moves in rates[3:]):
-<<<<<<< HEAD
-            still = [
-                0.0 * corner if moves is None else moves for corner, moves in zip((x, y), rates[3:])
-            ]
-            pushed = friction_rates(space, unit, edge, made, (x, y, inv_area), (still[0], still[1]))
-            changes = [change + part for change, part in zip(changes, pushed)]
-        return tuple(made), tuple(changes)
-
-    return space.ruled(value, rule)
-
-
-def inverse_area(space: Space, x: Any, y: Any) -> Any:
-    """1 over the area, negative of corners that go clockwise."""
-    return 2.0 / space.total(x * space.following(y) - y * space.following(x))
-
-
-def _matrix(space: Space, parts: Six) -> Any:
-    """A symmetric matrix of shape (..., 3, 3)."""
-    xx, xy, yy, xn, yn, nn = parts
-    rows = (xx, xy, xn, xy, yy, yn, xn, yn, nn)
-    flat = space.stack(rows)
-    return flat.reshape((*flat.shape[:-1], 3, 3))
-=======
             moved = [
                 0.0 * at if moves is None else moves for at, moves in zip((x, y), rates[3:])
             ]
@@ -230,5 +207,4 @@ def _matrix(space: Space, parts: Six) -> Any:
             changes = [change + part for change, part in zip(changes, by_corners)]
         return tuple(made), tuple(changes)
 
-    return space.ruled_by_part(value, rule)
->>>>>>> w2
+    return space.ruled(value, rule)
