@@ -34,8 +34,9 @@ class _Floor(NamedTuple):
         one = np.ones((), twists.dtype)
         return _jax_native.wrench(self.kind, self.size, twists, one, one, None)
 
-    def change(self, twists: Any, rates: Any) -> Any:
-        return jax.jvp(self.wrench, (twists,), (rates,))[1]
+    def changing(self, twists: Any, rates: Any) -> tuple[Any, Any]:
+        made: tuple[Any, Any] = jax.jvp(self.wrench, (twists,), (rates,))
+        return made
 
     def normal(self, wrenches: Any) -> Any:
         if self.kind is None:

@@ -86,8 +86,8 @@ class Floor(Protocol):
     def wrench(self, twists: Any) -> Any:
         """Friction at motions, over the largest force."""
 
-    def change(self, twists: Any, rates: Any) -> Any:
-        """The rate of `wrench` where the motions have these rates."""
+    def changing(self, twists: Any, rates: Any) -> tuple[Any, Any]:
+        """The same, and its rate where the motions have these rates."""
 
     def normal(self, wrenches: Any) -> Any:
         """The motions that pushes cause, of any length."""
@@ -122,8 +122,7 @@ def push(space: Space, floor: Floor, contact: PointContact, velocity: Any) -> Pu
         ux=space.where(is_pushed, given.ux, space.still(given.nx)),
         uy=space.where(is_pushed, given.uy, space.still(given.ny)),
     )
-    stuck = _sticking(space, floor, at)
-    opposed = floor.wrench(stuck)
+    stuck, opposed = _sticking(space, floor, at)
     fx, fy = -floor.limit * opposed[..., 0], -floor.limit * opposed[..., 1]
     pressing, friction = fx * at.nx + fy * at.ny, fy * at.nx - fx * at.ny
     is_left = friction > 0.0
@@ -162,17 +161,23 @@ def length_of(space: Space, x: Any, y: Any) -> Any:
     return longest * space.sqrt(x * x + y * y)
 
 
-def _sticking(space: Space, floor: Floor, at: _Contact) -> Any:
-    """The motion that dissipates least among those in which the contact follows the pusher."""
+def _sticking(space: Space, floor: Floor, at: _Contact) -> tuple[Any, Any]:
+    """The motion that dissipates least among those in which the contact follows the pusher, and friction at it."""
     # Spins in units of the pusher's speed over the lever; the lever is a unit and has no derivatives.
     lever, spin, slope = _search(
         space, floor.still(), _Contact(*(space.still(part) for part in at))
     )
     speed, line = _line(space, at, lever)
+
+    def step(spin: Any, _: Any) -> tuple[Any, tuple[Any, Any]]:
+        twist = line.at(spin)
+        friction = floor.wrench(twist)
+        return spin + _power(friction, line.turn) / slope, (twist, friction)
+
     # Steps with the slope held: each makes one more derivative of the zero exact.
-    for _ in range(_EXACT_DERIVATIVES):
-        spin = space.apart(spin - _torque(floor, line, spin) / slope)
-    return line.at(spin) * speed[..., None]
+    none = space.constant([0.0] * (1 + _EXACT_DERIVATIVES), lever)
+    _, (twists, frictions) = space.course(step, spin, none)
+    return twists[-1] * speed[..., None], frictions[-1]
 
 
 class _Line(NamedTuple):
@@ -192,25 +197,24 @@ def _line(space: Space, at: _Contact, lever: Any) -> tuple[Any, _Line]:
     return speed, _Line(ahead, space.stack([at.py / lever, -at.px / lever, 1.0 / lever]))
 
 
-def _torque(floor: Floor, line: _Line, spin: Any) -> Any:
-    """Torque about the contact that the spin needs, over lever and force limit: it rises from -1 to 1."""
-    return -_power(floor.wrench(line.at(spin)), line.turn)
-
-
 def _search(space: Space, floor: Floor, at: _Contact) -> tuple[Any, Any, Any]:
     """Lever, spin and slope of the torque at the motion that dissipates least."""
     one = space.constant(1.0, at.px) + 0.0 * at.px
     about = space.stack([at.py, -at.px, one])
-    lever = -_power(floor.wrench(about), about)
+    ahead = space.stack([at.ux, at.uy, 0.0 * one])
+    both = space.first_axis(space.stack([about, ahead]), len(about.shape))
+    turning, sliding = floor.wrench(both)
+    lever = -_power(turning, about)
     _, line = _line(space, at, lever)
     # An ellipsoid that has the lever would have this zero.
-    start = -_torque(floor, line, 0.0 * one)
+    start = _power(sliding, line.turn)
     finest = _FINEST[space.type_of(start)]
 
     def step(state: Any) -> Any:
         spin, low, high, _, _ = state
-        torque = _torque(floor, line, spin)
-        slope = -_power(floor.change(line.at(spin), line.turn), line.turn)
+        # The torque about the contact that the spin needs, over lever and force limit, rises from -1 to 1.
+        friction, change = floor.changing(line.at(spin), line.turn)
+        torque, slope = -_power(friction, line.turn), -_power(change, line.turn)
         low, high = space.where(torque < 0.0, spin, low), space.where(torque < 0.0, high, spin)
         newton = spin - torque / slope
         is_within = (newton > low - finest) & (newton < high + finest)
