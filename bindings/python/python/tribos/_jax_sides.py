@@ -36,6 +36,7 @@ def reach_on(loops: Sequence[Any], at: PointContact) -> tuple[Any, Any]:
     place = jnp.sum(along * off, axis=-1)
     beyond = jnp.maximum(jnp.maximum(-place, place - length), 0.0)
     distance = jax.lax.stop_gradient(jnp.hypot(_cross(along, off), beyond))
+    distance = jnp.where(is_point, jnp.inf, distance)
     finest = _PARALLEL[str(distance.dtype)]
     # The inward normal is the edge turned to the left.
     normal = jax.lax.stop_gradient(at.normal / jnp.linalg.norm(at.normal, axis=-1, keepdims=True))
