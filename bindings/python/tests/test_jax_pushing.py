@@ -241,12 +241,12 @@ def test_a_pusher_leaves_a_round_body() -> None:
 def test_sides_are_those_of_the_outline() -> None:
     outer = [[0.0, 0.0], [4.0, 0.0], [4.0, 1.0], [1.0, 1.0], [1.0, 1.0], [1.0, 4.0], [0.0, 4.0]]
     hole = [[0.2, 0.2], [0.8, 0.2], [0.8, 0.8], [0.2, 0.8]]
-    for place in ([2.5, 1.0], [1.0, 3.0], [3.0, -0.1], [0.3, 0.2], [0.0, 0.0], [4.0, 0.3]):
-        normal, wanted = _native.nearest_side([outer, hole], place)
-        for loops in ([outer, hole], [outer[::-1], hole[::-1]]):
-            at = tj.PointContact(jnp.array(place), 2.0 * jnp.array(normal), 0.0)
-            reach = reach_on([jnp.array(loop) for loop in loops], at)
-            np.testing.assert_allclose(reach, wanted, atol=1e-12)
+    places = [[2.5, 1.0], [1.0, 3.0], [3.0, -0.1], [0.3, 0.2], [0.0, 0.0], [4.0, 0.3]]
+    sides = np.array([_native.nearest_side([outer, hole], place) for place in places])
+    at = tj.PointContact(jnp.array(places), jnp.array(2.0 * sides[:, 0]), 0.0)
+    for loops in ([outer, hole], [outer[::-1], hole[::-1]]):
+        reach = reach_on([jnp.array(loop) for loop in loops], at)
+        np.testing.assert_allclose(np.transpose(reach), sides[:, 1], atol=1e-12)
     # Another normal is that of a flat pusher at a corner.
     corner = tj.PointContact(jnp.array([4.0, 0.0]), jnp.array([-1.0, 1.0]), 0.0)
     assert np.isinf(reach_on([jnp.array(outer)], corner)).all()
