@@ -53,14 +53,12 @@ class Form(Protocol):
     def spin(self, space: Space) -> Any:
         """Torque of spinning about the centre of pressure."""
 
-    def support(self, space: Space, twists: Any) -> Any:
-        """Power of friction, the support function of the set, 0 at rest; its derivative is minus `wrench`."""
-
     def wrench(self, space: Space, twists: Any) -> Any:
-        """Friction, minus the gradient of the support; 0 at rest, with derivatives 0. Its derivative is minus `hessian`."""
+        """Friction, minus the gradient of the power D(twist); 0 at rest, with derivatives 0. Its derivative is minus
+        `hessian`."""
 
     def hessian(self, space: Space, twists: Any) -> tuple[Any, Any, Any, Any, Any, Any]:
-        """Second derivatives xx, xy, yy, xt, yt, tt of the support; 0 at rest."""
+        """Second derivatives xx, xy, yy, xt, yt, tt of the power; 0 at rest."""
 
     def nearest(self, space: Space, wrenches: Any) -> Nearest:
         """The nearest points by |force|² + torque², without derivatives: lengths are in the unit that makes a force of a

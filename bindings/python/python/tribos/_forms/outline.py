@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from tribos._forms.moving_edge import Motion, Six
+from tribos._forms.moving_edge import Motion
 from tribos._forms.space import Space
 
 

@@ -200,9 +200,7 @@ def _reduced(space: Space) -> Callable[..., Any]:
                     by = rate * moves
                     changes = [change - part * by for change, part in zip(changes, column)]
         if any(moves is not None for moves in rates[3:]):
-            moved = [
-                0.0 * at if moves is None else moves for at, moves in zip((x, y), rates[3:])
-            ]
+            moved = [0.0 * at if moves is None else moves for at, moves in zip((x, y), rates[3:])]
             by_corners = friction_rates(space, unit, edge, made, (x, y, inv_area), moved)
             changes = [change + part for change, part in zip(changes, by_corners)]
         return tuple(made), tuple(changes)

@@ -167,9 +167,7 @@ def _searched(
         new = trial(to, now.step)
         slack = SLACK * rounding * (1.0 + space.abs(now.value))
         # Where rounding hides what a step gains, its slope at the end decides.
-        is_level = (new.value <= now.value + slack) & (
-            new.slope <= (1.0 - 2.0 * ENOUGH) * now.fall
-        )
+        is_level = (new.value <= now.value + slack) & (new.slope <= (1.0 - 2.0 * ENOUGH) * now.fall)
         descends = new.value <= now.value - ENOUGH * now.factor * now.fall
         takes = descends | is_level | (now.factor < SHORTEST)
         # A full step that gains nothing shows rounding, unless it levels the slope in a narrow bend; a short residual
@@ -178,9 +176,7 @@ def _searched(
         bends = (now.residual > ROUGH * rounding) & (space.abs(new.slope) < 0.5 * now.fall)
         is_short = now.residual < rounding**0.5
         stops = (now.factor == 1.0) & is_short & ~(gains | bends)
-        is_rough = (now.residual <= SETTLED * rounding) & ~(
-            new.residual < 0.5 * now.residual
-        )
+        is_rough = (now.residual <= SETTLED * rounding) & ~(new.residual < 0.5 * now.residual)
         takes = (takes | is_rough) & (new.residual < now.residual) | takes & ~(stops | is_rough)
         takes = takes & ~now.ended
         is_odd = ~(new.residual >= 0.0)

@@ -47,10 +47,6 @@ class Round:
     def spin(self, space: Space) -> Any:
         return meridian.spin_torque(self.pressure) * self.radius
 
-    def support(self, space: Space, twists: Any) -> Any:
-        x, y, r, size, is_rest = self._speeds(space, twists)
-        return space.where(is_rest, 0.0, size * _power(space, self.pressure)(x, y, r))
-
     def wrench(self, space: Space, twists: Any) -> Any:
         x, y, r, _, is_rest = self._speeds(space, twists)
         along, across, turn = _pull(space, self.pressure)(x, y, r)
@@ -132,22 +128,6 @@ def _pull(space: Space, pressure: Pressure) -> Callable[..., Any]:
         made, (xx, xy, yy, xr, yr, rr) = space.apart(_pull_and_bend(space, pressure, *at))
         rows = (xx, xy, xr), (xy, yy, yr), (xr, yr, rr)
         return made, tuple(_along(row, by) for row in rows)
-
-    return space.ruled(value, rule)
-
-
-@cache
-def _power(space: Space, pressure: Pressure) -> Callable[..., Any]:
-    """Power of friction."""
-    pull = _pull(space, pressure)
-
-    def value(x: Any, y: Any, r: Any) -> Any:
-        along, across, turn = pull(x, y, r)
-        return along * x + across * y + turn * r
-
-    def rule(at: Any, by: Any) -> Any:
-        made = pull(*at)
-        return _along(made, at), _along(made, by)
 
     return space.ruled(value, rule)
 

@@ -34,6 +34,25 @@ def is_none(space: Space, rows: Any) -> Any:
     return (x == 0.0) & (y == 0.0) & (z == 0.0)
 
 
+def support(space: Space, form: Form, twists: Any) -> Any:
+    """Power of friction over the force limit; 0 at rest, with derivatives 0."""
+
+    def value(twists: Any, *arrays: Any) -> Any:
+        return dot(space, _push(space, form.of(arrays), twists), twists)
+
+    def rule(at: Any, by: Any) -> Any:
+        # By Euler's relation the push's own change along the twist is none.
+        here = form.of(at[1:])
+        push = _push(space, here, at[0])
+        along = None if by[0] is None else dot(space, push, by[0])
+        changed = _push_by_arrays(space, here, at[0], by[1:])
+        grown = None if changed is None else dot(space, changed, at[0])
+        return dot(space, push, at[0]), _sum(along, grown)
+
+    made: Any = space.ruled(value, rule)(twists, *form.arrays)
+    return made
+
+
 def gauge(space: Space, form: Form, wrenches: Any, limit: Any) -> Any:
     """The least factor by which the set under a force limit must grow to hold wrenches.
 

@@ -10,15 +10,16 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+from tribos._forms import sets
 from tribos._forms.form import Form
-from tribos._forms.sets import dot, is_none
+from tribos._forms.sets import is_none
 from tribos._forms.space import Space
 
 
 def support(space: Space, form: Form, twists: Any, limit: Any, soft: Any = None) -> Any:
     """Power of dry friction, or the potential of softened friction."""
     if soft is None:
-        return limit * form.support(space, twists)
+        return limit * sets.support(space, form, twists)
     at = _softened(space, form, twists, soft)
     return limit * at.unit * (at.square / (at.root + at.soft))
 
@@ -75,8 +76,7 @@ class _Softened(NamedTuple):
 
 def _softened(space: Space, form: Form, twists: Any, soft: Any) -> _Softened:
     push = space.apart(-form.wrench(space, twists))
-    # Euler: the support is of degree 1.
-    power = dot(space, push, twists)
+    power = sets.support(space, form, twists)
     unit = space.still(space.where(power < soft, soft + 0.0 * power, power))
     # Without softening there is nothing at rest.
     unit = space.where(unit == 0.0, 1.0, unit)
