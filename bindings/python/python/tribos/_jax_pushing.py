@@ -11,6 +11,7 @@ import numpy as np
 
 from tribos import _gradients, _jax_callback, _jax_native
 from tribos._forms import pushed_path, pushing, xla
+from tribos._forms.of_friction import FLAT
 from tribos._forms.pushed_path import Journey
 from tribos._forms.pushing import PointContact, Push
 from tribos._friction import Friction
@@ -248,7 +249,7 @@ def _side(call: Call, at: PointContact, side: Any) -> Any:
 def _own_side(call: Call, at: PointContact) -> Any:
     """The patch's own side next to a contact."""
     patch = call.friction.patch
-    if call.kind == _jax_native.FLAT:
+    if call.kind == FLAT:
         return reach_on([jnp.asarray(call.size)], at)
     loops = outline(patch)
     if not loops and patch.kind != "points":

@@ -49,7 +49,11 @@ def following(x: Any) -> Any:
 
 
 def constant(c: Any, like: Any) -> Any:
-    return c if isinstance(c, torch.Tensor) else torch.as_tensor(c, dtype=like.dtype, device=like.device)
+    return (
+        c
+        if isinstance(c, torch.Tensor)
+        else torch.as_tensor(c, dtype=like.dtype, device=like.device)
+    )
 
 
 def type_of(x: Any) -> str:
@@ -99,7 +103,9 @@ def pushed(of: Callable[..., Any], arguments: Sequence[Any], tangents: Sequence[
         value = of(*at)
         weights = torch.zeros_like(value, requires_grad=True)
         slopes = torch.autograd.grad(value, at, weights, create_graph=True, allow_unused=True)
-        pairs = [(slope, by) for slope, by in zip(slopes, tangents, strict=True) if slope is not None]
+        pairs = [
+            (slope, by) for slope, by in zip(slopes, tangents, strict=True) if slope is not None
+        ]
         if not pairs:
             return torch.zeros_like(value)
         slopes, by = zip(*pairs, strict=True)
