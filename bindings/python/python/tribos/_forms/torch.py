@@ -118,7 +118,7 @@ def ruled(value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., 
         for of, known, values in _known():
             if of is made and all(a is b for a, b in zip(known, arguments, strict=True)):
                 return values
-        return _Ruled.apply(made, value, rule, *arguments)
+        return _Ruled.apply(made, value, rule, *(constant(x, arguments[0]) for x in arguments))
 
     return made
 
