@@ -77,6 +77,6 @@ def planar_step(
     dt: Any,
 ) -> Any:
     numbers = (mu, load, mass, inertia, dt)
-    form, whole, rows = _prepared(kind, size, (twists, pushes), numbers)
+    form, whole, (twists, pushes) = _prepared(kind, size, (twists, pushes), numbers)
     limit = jnp.broadcast_to(mu * load, whole)
-    return step.planar_step(xla, form, *rows, limit, mass, inertia, dt)
+    return step.planar_step(xla, form, twists, pushes, limit, mass, inertia, dt)

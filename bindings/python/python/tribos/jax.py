@@ -73,6 +73,7 @@ from tribos._forms.pushing import PointContact, Push
 from tribos._friction import Friction
 from tribos._gradients import length_of
 from tribos._jax_arguments import Call
+from tribos._jax_manifold import manifold_friction
 from tribos._jax_pushing import push, push_along
 from tribos._planar import Step
 
@@ -84,6 +85,7 @@ __all__ = [
     "Step",
     "gauge",
     "jacobian",
+    "manifold_friction",
     "normal",
     "planar_step",
     "project",
@@ -374,8 +376,8 @@ def planar_step(
         made = _jax_callback.applied(operation, *rows, call.under(load), *body)
         after, mean, rest = made[0], made[1], made[2] > 0.5
     else:
-        given = (*rows, call.mu, load, *body)
-        after, mean, rest = _jax_native.planar_step(call.kind, call.size, *given)
+        numbers = (call.mu, load, *body)
+        after, mean, rest = _jax_native.planar_step(call.kind, call.size, *rows, *numbers)
     if angle is not None:
         after, mean = (_turned(row, angle, 1.0) for row in (after, mean))
     return Step(call.own(after), call.own(mean), rest)

@@ -86,7 +86,8 @@ def _argument_and_hooks(space: Space, pressure: Pressure, z: Any) -> tuple[Any, 
 
 def _sums(space: Space, pressure: Pressure, kind: str, slides: Any, u: Any) -> list[Any]:
     """The four sums of a table where its side leads."""
-    spinning, sliding = ROUND[pressure.name][space.type_of(u)][kind]
+    tables: Any = ROUND
+    spinning, sliding = tables[pressure.name][space.type_of(u)][kind]
 
     def term(a: float, b: float) -> Any:
         own = space.constant(a, u)

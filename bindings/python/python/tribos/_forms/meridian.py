@@ -63,7 +63,8 @@ def stand_ins(pressure: Pressure) -> tuple[StandIn, StandIn]:
 
 def spin_torque(pressure: Pressure) -> float:
     """T of spinning."""
-    return stand_ins(pressure)[1].top
+    top: float = stand_ins(pressure)[1].top
+    return top
 
 
 def _chosen(space: Space, pressure: Pressure, slides: Any, like: Any) -> StandIn:

@@ -20,6 +20,10 @@ class Outline(NamedTuple):
     centre_x: Any
     centre_y: Any
     radius: Any
+    xx: Any
+    """Means of x², x y and y² over the area."""
+    xy: Any
+    yy: Any
 
     @property
     def corners(self) -> tuple[Any, Any]:
@@ -43,6 +47,22 @@ class Outline(NamedTuple):
         """Reduced torque about the centre of a force and a torque about the frame's origin."""
         return (torque - (self.centre_x * y - self.centre_y * x)) / self.radius
 
+    def bend(self, wrench: Any) -> Any:
+        """About the torque per spin and speed, along a wrench of length 1: exact for forces, 0.87 of that for torques.
+
+        Under a force sliding with little spin costs ⟨r⊥²⟩ spin²/speed/2 of power, r⊥ across the force.
+        """
+        x, y, torque = wrench
+        xx, xy, yy = self.xx, self.xy, self.yy
+        across = x * x * yy - 2.0 * (x * y) * xy + y * y * xx
+        torque_sq = torque * torque
+        return (across + torque_sq) / (x * x + y * y + torque_sq / (xx + yy))
+
+    def arm(self, space: Space) -> Any:
+        """Root mean square distance of the area from the frame's origin."""
+        off_sq = self.centre_x * self.centre_x + self.centre_y * self.centre_y
+        return space.sqrt(off_sq + self.radius * self.radius * (self.xx + self.yy))
+
 
 def outline_of(space: Space, corners: Any, rank: int) -> Outline:
     """Corners of shape (..., n, 2) for twists with so many leading axes."""
@@ -58,7 +78,20 @@ def outline_of(space: Space, corners: Any, rank: int) -> Outline:
     x, y = x - centre_x, y - centre_y
     radius = space.sqrt(space.largest(space.still(x * x + y * y)))
     inv = 1.0 / radius
-    return Outline(x * inv, y * inv, first_x[0] + centre_x, first_y[0] + centre_y, radius)
+    x, y = x * inv, y * inv
+    next_x, next_y = space.following(x), space.following(y)
+    cross = x * next_y - y * next_x
+    sixth = 1.0 / (6.0 * space.total(cross))
+    return Outline(
+        x,
+        y,
+        first_x[0] + centre_x,
+        first_y[0] + centre_y,
+        radius,
+        space.total((x * x + x * next_x + next_x * next_x) * cross) * sixth,
+        space.total((x * y + 0.5 * (x * next_y + next_x * y) + next_x * next_y) * cross) * sixth,
+        space.total((y * y + y * next_y + next_y * next_y) * cross) * sixth,
+    )
 
 
 def inverse_area(space: Space, x: Any, y: Any) -> Any:

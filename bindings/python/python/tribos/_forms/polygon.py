@@ -63,21 +63,16 @@ class Flat:
         *_, torque = _reduced(space)(zero, zero, 1.0 + zero, *outline.corners)
         return -(outline.radius * torque) / self.unit
 
-    def support(self, space: Space, twists: Any) -> Any:
-        made = self.wrench(space, twists)
-        x, y, spin = (made[..., axis] * twists[..., axis] for axis in range(3))
-        return -(x + y + spin)
-
     def wrench(self, space: Space, twists: Any) -> Any:
         outline = outline_of(space, self.corners, _rank(twists))
-        motion, _, is_rest = in_its_unit(space, self._motion(outline, twists))
+        motion, _, is_rest = in_its_unit(space, self._motion(space, outline, twists))
         made = _reduced(space)(*motion, *outline.corners)
         x, y, reduced = (space.where(is_rest, 0.0, part) for part in made)
         return space.stack((x, y, outline.torque(x, y, reduced) / self.unit))
 
     def hessian(self, space: Space, twists: Any) -> Six:
         outline = outline_of(space, self.corners, _rank(twists))
-        motion, size, is_rest = in_its_unit(space, self._motion(outline, twists))
+        motion, size, is_rest = in_its_unit(space, self._motion(space, outline, twists))
         _, hessian = friction_and_hessian(space, motion, outline)
         parts = _about_origin(outline, hessian, self.unit)
         xx, xy, yy, xn, yn, nn = (space.where(is_rest, 0.0, part / size) for part in parts)
@@ -91,16 +86,16 @@ class Flat:
     def nearest(self, space: Space, wrenches: Any) -> Nearest:
         outline = outline_of(space, space.still(self.corners), _rank(wrenches))
         wrenches, unit = space.still(wrenches), space.still(self.unit)
+        force_x, force_y, torque = space.parts(wrenches)
         _, above = self._above(space, outline, wrenches)
-        # Torques in units of the largest one about the origin.
-        zero = 0.0 * outline.centre_x
-        arm, _, _ = _power(space, outline, outline.motion(zero, zero, 1.0 + zero))
+        # Torques in units of about the largest one about the origin.
+        arm = outline.arm(space)
         x, y, spin = outline.twist(above.motion)
         push = _push_about_origin(outline, above.push, arm)
         found = polygon_search.nearest(
             space,
             lambda at: _power_about_origin(space, outline, at, arm),
-            (wrenches[..., 0], wrenches[..., 1], wrenches[..., 2] * (unit / arm)),
+            (force_x, force_y, torque * (unit / arm)),
             polygon_search.Point((x, y, spin * arm), above.power, push, above.gauge),
             (unit / arm) * (unit / arm),
         )
@@ -109,8 +104,9 @@ class Flat:
         x, y, torque = found.push
         return Nearest(space.stack((x, y, torque * (arm / unit))), normals, found.gauge)
 
-    def _motion(self, outline: Outline, twists: Any) -> Motion:
-        return outline.motion(twists[..., 0], twists[..., 1], twists[..., 2] / self.unit)
+    def _motion(self, space: Space, outline: Outline, twists: Any) -> Motion:
+        x, y, spin = space.parts(twists)
+        return outline.motion(x, y, spin / self.unit)
 
     def _normals(self, space: Space, twist: Three) -> Any:
         """Twists of length 1."""
@@ -122,15 +118,12 @@ class Flat:
         self, space: Space, outline: Outline, wrenches: Any
     ) -> tuple[Any, polygon_search.Point]:
         """The sizes of wrenches about the centre, and the points on their rays."""
-        x, y = wrenches[..., 0], wrenches[..., 1]
-        torque = outline.reduced(x, y, wrenches[..., 2] * space.still(self.unit))
+        x, y, torque = space.parts(wrenches)
+        torque = outline.reduced(x, y, torque * space.still(self.unit))
         # Any direction does for no wrench.
         direction, size, _ = in_its_unit(space, Motion(x, y, torque))
         (x, y, torque), per_length = of_length_one(space, direction)
-        # From the normal of the ellipsoid with the same largest force and torque on.
-        zero = 0.0 * outline.centre_x
-        most, _, _ = _power(space, outline, Motion(zero, zero, 1.0 + zero))
-        start = x, y, torque / (most * most)
+        start = x, y, torque / outline.bend((x, y, torque))
         found = polygon_search.above(
             space, lambda at: _power(space, outline, Motion(*at)), (x, y, torque), start
         )

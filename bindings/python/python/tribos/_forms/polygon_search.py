@@ -146,9 +146,19 @@ def nearest(space: Space, power: Power, wrench: Three, found: Point, weight: Any
     none = zero, zero, zero
     start = (n, distance), (none, zero, none)
     stays = ~(distance > 0.0)
-    found = _searched(space, trial, moved, start, (value, found.push), stays)
-    n, _ = found.at
-    return Point(n, found.power, found.push, dot(wrench, n) / reach - found.power)
+    ended = _searched(space, trial, moved, start, (value, found.push), stays)
+    beyond = dot(wrench, ended.at[0]) / reach - ended.power
+    # The nearest point's tangent separates most; next to the surface rounding may have undone what was known.
+    known = SLACK * space.epsilon(beyond) * (ended.power + space.abs(beyond))
+    is_worse = beyond < distance / reach - known
+
+    def better(first: Any, last: Any) -> Any:
+        return space.where(is_worse, first, last)
+
+    x, y, z = map(better, n, ended.at[0])
+    fx, fy, ft = map(better, found.push, ended.push)
+    power = better(value, ended.power)
+    return Point((x, y, z), power, (fx, fy, ft), better(distance / reach, beyond))
 
 
 def _searched(
@@ -169,15 +179,19 @@ def _searched(
         # Where rounding hides what a step gains, its slope at the end decides.
         is_level = (new.value <= now.value + slack) & (new.slope <= (1.0 - 2.0 * ENOUGH) * now.fall)
         descends = new.value <= now.value - ENOUGH * now.factor * now.fall
-        takes = descends | is_level | (now.factor < SHORTEST)
-        # A full step that gains nothing shows rounding, unless it levels the slope in a narrow bend; a short residual
-        # that is not halved shows it too.
-        gains = (new.residual < now.residual) | (new.value < now.value - slack)
-        bends = (now.residual > ROUGH * rounding) & (space.abs(new.slope) < 0.5 * now.fall)
+        # A short residual that is halved is a gain where rounding hides values and slopes: next to the surface.
         is_short = now.residual < rounding**0.5
+        nears = is_short & (new.residual < 0.5 * now.residual)
+        takes = descends | is_level | nears | (now.factor < SHORTEST)
+        # A full step that gains nothing shows rounding, unless it levels the slope in a narrow bend; so does a step that
+        # is refused where the residual is next to nothing.
+        shrinks = new.residual < now.residual
+        gains = shrinks | (new.value < now.value - slack)
+        bends = (now.residual > ROUGH * rounding) & (space.abs(new.slope) < 0.5 * now.fall)
         stops = (now.factor == 1.0) & is_short & ~(gains | bends)
-        is_rough = (now.residual <= SETTLED * rounding) & ~(new.residual < 0.5 * now.residual)
-        takes = (takes | is_rough) & (new.residual < now.residual) | takes & ~(stops | is_rough)
+        is_settled = now.residual <= SETTLED * rounding
+        is_rough = is_settled & ~(takes | shrinks)
+        takes = (takes & ~stops) | (is_settled & shrinks)
         takes = takes & ~now.ended
         is_odd = ~(new.residual >= 0.0)
 

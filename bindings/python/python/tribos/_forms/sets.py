@@ -28,6 +28,14 @@ def dot(space: Space, a: Any, b: Any) -> Any:
     return x + y + z
 
 
+def scaled(space: Space, factor: Any, rows: Any) -> Any:
+    """Rows times a number each; None for none of either."""
+    if factor is None or rows is None:
+        return None
+    # By components: what sums products of stacked ones would compute each three times.
+    return space.stack([factor * part for part in space.parts(rows)])
+
+
 def is_none(space: Space, rows: Any) -> Any:
     """Whether all three components are 0."""
     x, y, z = space.parts(space.still(rows))
@@ -106,27 +114,14 @@ def _push(space: Space, form: Form, twists: Any) -> Any:
 
 def _push_by_arrays(space: Space, form: Form, normals: Any, by: Any) -> Any:
     """The change of the push at fixed motions along tangents of the form's arrays, None for none."""
-    changing = [n for n, rate in enumerate(by) if rate is not None]
-
-    def of(*moved: Any) -> Any:
-        arrays = list(form.arrays)
-        for n, array in zip(changing, moved, strict=True):
-            arrays[n] = array
-        return _push(space, form.of(tuple(arrays)), normals)
-
-    if not changing:
+    if all(rate is None for rate in by):
         return None
-    return space.pushed(of, [form.arrays[n] for n in changing], [by[n] for n in changing])
+    return space.pushed(lambda *at: _push(space, form.of(at), normals), form.arrays, by)
 
 
 def _sum(*terms: Any) -> Any:
     """The sum of those that are not None."""
     return sum(term for term in terms if term is not None)
-
-
-def _scaled(factor: Any, rows: Any) -> Any:
-    """Rows times a number each, None for none."""
-    return None if factor is None or rows is None else factor[..., None] * rows
 
 
 def _on_rays(space: Space, form: Form, wrenches: Any, nothing: Any) -> tuple[Any, Any]:
@@ -151,9 +146,9 @@ def _rays(space: Space, form: Form) -> Callable[..., tuple[Any, Any]]:
         here = form.of(at[1:])
         push = _push(space, here, normals)
         by_arrays = _push_by_arrays(space, here, normals, by[1:])
-        moved = _sum(by[0], _scaled(-gauges, by_arrays))
+        moved = _sum(by[0], scaled(space, -gauges, by_arrays))
         rate = dot(space, normals, moved) / dot(space, normals, push)
-        across = moved - rate[..., None] * push
+        across = moved - scaled(space, rate, push)
         turned = _turned(space, here, normals, across, gauges, 0.0)[0]
         return (normals, gauges), (turned, rate)
 
@@ -172,7 +167,7 @@ def _nearest(space: Space, form: Form) -> Callable[..., tuple[Any, Any, Any]]:
         size = space.sqrt(dot(space, wrenches, wrenches))
         along = wrenches / space.where(size == 0.0, 1.0, size)[..., None]
         return (
-            limit[..., None] * found.points,
+            scaled(space, limit, found.points),
             space.where(some[..., None], found.normals, along),
             space.where(some, limit * found.beyond, size),
         )
@@ -181,8 +176,8 @@ def _nearest(space: Space, form: Form) -> Callable[..., tuple[Any, Any, Any]]:
         points, normals, beyond = solution(*at)
         limit = at[1]
         here = form.of(at[2:])
-        by_arrays = _scaled(limit, _push_by_arrays(space, here, normals, by[2:]))
-        grown = _sum(0.0 * points, _scaled(by[1], _push(space, here, normals)), by_arrays)
+        by_arrays = scaled(space, limit, _push_by_arrays(space, here, normals, by[2:]))
+        grown = _sum(0.0 * points, scaled(space, by[1], _push(space, here, normals)), by_arrays)
         moved = -grown if by[0] is None else by[0] - grown
         # Inside nothing is asked for.
         outside = space.where(beyond <= 0.0, 1.0, beyond)
@@ -198,7 +193,7 @@ def _turned(
 ) -> tuple[Any, Any]:
     """(distance + scale H)⁻¹ of the part of `moved` across the normals, and scale H of that."""
     xx, xy, yy, xt, yt, tt = (scale * part for part in form.hessian(space, normals))
-    x, y, z = space.parts(moved - normals * dot(space, normals, moved)[..., None])
+    x, y, z = space.parts(moved - scaled(space, dot(space, normals, moved), normals))
     trace = xx + yy + tt
     minors = (xx * yy - xy * xy) + (xx * tt - xt * xt) + (yy * tt - yt * yt)
     per = 1.0 / (distance * (distance + trace) + minors)

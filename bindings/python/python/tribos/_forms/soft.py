@@ -8,6 +8,7 @@ w stands in for it, T the torque of spinning per mu N.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from tribos._forms import sets
@@ -27,7 +28,7 @@ def support(space: Space, form: Form, twists: Any, limit: Any, soft: Any = None)
 def wrench(space: Space, form: Form, twists: Any, limit: Any, soft: Any = None) -> Any:
     """Friction, minus the gradient of the support."""
     if soft is None:
-        return limit[..., None] * form.wrench(space, twists)
+        return sets.scaled(space, limit, form.wrench(space, twists))
     at = _softened(space, form, twists, soft)
     slow = (sum(a * b for a, b in zip(row, space.parts(twists), strict=True)) for row in at.slopes)
     share = -limit / at.root
@@ -63,7 +64,7 @@ class _Softened(NamedTuple):
     """D, its square and its root with the softening speed in a unit of speed."""
 
     is_rest: Any
-    push: tuple[Any, Any, Any]
+    push: Sequence[Any]
     unit: Any
     """A constant to every derivative."""
     power: Any

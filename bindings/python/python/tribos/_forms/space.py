@@ -9,6 +9,8 @@ from typing import Any, Protocol
 class Space(Protocol):
     """Operations on arrays of one library. Arithmetic is that of the arrays' own operators."""
 
+    def __hash__(self) -> int: ...
+
     def where(self, mask: Any, a: Any, b: Any) -> Any:
         """`a` where the mask holds, else `b`."""
 
@@ -77,7 +79,8 @@ class Space(Protocol):
     def pushed(
         self, of: Callable[..., Any], arguments: Sequence[Any], tangents: Sequence[Any]
     ) -> Any:
-        """The rate of a function's value along tangents of its arguments; differentiable in turn."""
+        """The rate of a function's value along tangents of its arguments, None for what does not change, not all of them;
+        differentiable in turn."""
 
     def ruled(self, value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
         """A function with its own first derivative.

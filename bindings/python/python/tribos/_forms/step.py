@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from tribos._forms.form import Form
-from tribos._forms.sets import dot, nearest
+from tribos._forms.sets import dot, nearest, scaled
 from tribos._forms.space import Space
 
 
@@ -32,17 +32,18 @@ def planar_step(
     before = space.stack((x, y, spin * gyration))
     fx, fy, torque = space.parts(pushes)
     push = space.stack((fx, fy, torque / gyration))
-    momentum, rate = (mass / dt)[..., None], (dt / mass)[..., None]
+    momentum, rate = mass / dt, dt / mass
 
     def moved(friction: Any) -> Any:
-        return before + rate * (push + friction)
+        return before + scaled(space, rate, push + friction)
 
     # Friction that would end the step at rest.
-    at_end = -(momentum * before + push)
+    at_end = -(scaled(space, momentum, before) + push)
     ended, holds = nearest(space, form, at_end, limit)
     # The motion at half time under the friction that it meets itself.
-    midway, is_carried = nearest(space, form, -(2.0 * momentum * before + push), limit)
-    midway = space.where(is_carried[..., None], -(2.0 * momentum * before + push), midway)
+    at_half = -(scaled(space, 2.0 * momentum, before) + push)
+    midway, is_carried = nearest(space, form, at_half, limit)
+    midway = space.where(is_carried[..., None], at_half, midway)
     after = moved(midway)
     # The motion at the end under the friction that it meets there, if that takes power.
     late = moved(ended)

@@ -52,15 +52,9 @@ def type_of(x: Any) -> str:
     return str(x.dtype)
 
 
-@jax.custom_jvp
-def apart(x: Any) -> Any:
-    # Fused, every use of a value would compute all before it again.
-    return jax.lax.optimization_barrier(x)
-
-
-@apart.defjvp
-def _apart_rule(at: Any, by: Any) -> Any:
-    return apart(at[0]), by[0]
+# Fused, every use of a value would compute all before it again.
+apart = jax.custom_jvp(jax.lax.optimization_barrier)
+apart.defjvp(lambda at, by: (apart(at[0]), by[0]))
 
 
 def epsilon(x: Any) -> float:
@@ -89,14 +83,23 @@ def course(step: Callable[[Any, Any], tuple[Any, Any]], state: Any, rows: Any) -
 
 
 def pushed(of: Callable[..., Any], arguments: Sequence[Any], tangents: Sequence[Any]) -> Any:
-    return jax.jvp(of, tuple(arguments), tuple(tangents))[1]
+    changing = [n for n, rate in enumerate(tangents) if rate is not None]
+
+    def moved(*given: Any) -> Any:
+        whole = list(arguments)
+        for n, argument in zip(changing, given, strict=True):
+            whole[n] = argument
+        return of(*whole)
+
+    at, by = (tuple(of_all[n] for n in changing) for of_all in (arguments, tangents))
+    return jax.jvp(moved, at, by)[1]
 
 
 def ruled(value: Callable[..., Any], rule: Callable[..., Any]) -> Callable[..., Any]:
-    made = jax.custom_jvp(value)
+    made: Any = jax.custom_jvp(value)
 
     def of_changing(arguments: Any, tangents: Any) -> Any:
         return rule(arguments, [None if isinstance(t, SymbolicZero) else t for t in tangents])
 
     made.defjvp(of_changing, symbolic_zeros=True)
-    return made
+    return made  # type: ignore[no-any-return]
