@@ -92,16 +92,17 @@ def push(
 
     Examples
     --------
-    A finger off the middle of a box; how the spin changes with its place:
+    A finger off the middle of a puck, and how the spin changes with its place:
 
     >>> import jax, tribos, tribos.jax
-    >>> table = tribos.Friction(tribos.box(0.3, 0.2), mu=0.4)
+    >>> puck = tribos.Friction(tribos.disk(0.05), mu=0.3)
     >>> def spin(x):
-    ...     place = jax.numpy.array([x, -0.1])
+    ...     place = jax.numpy.array([x, -0.05])
     ...     finger = tribos.jax.PointContact(place, jax.numpy.array([0.0, 1.0]), 0.3)
-    ...     return tribos.jax.push(table, finger, jax.numpy.array([0.0, 0.02]), 20.0).twist[2]
-    >>> print(f"{spin(0.05):.4f} rad/s {jax.grad(spin)(0.05):.3f} rad/s/m")
-    0.0729 rad/s 1.798 rad/s/m
+    ...     return tribos.jax.push(puck, finger, jax.numpy.array([0.0, 0.02]), 2.0).twist[2]
+    >>> found, slope = jax.jit(jax.value_and_grad(spin))(0.01)
+    >>> print(f"{found:.4f} rad/s, {slope:.2f} rad/s more for each metre")
+    0.0620 rad/s, 5.80 rad/s more for each metre
     """
     call = Call("push", friction, velocity, mu=mu, radius=radius, corners=corners, backend=backend)
     at, velocity = _contact(call, contact), _pair(call, "velocity", velocity)
@@ -165,12 +166,14 @@ def push_along(
     Examples
     --------
     >>> import jax, tribos, tribos.jax
-    >>> table = tribos.Friction(tribos.box(0.3, 0.2), mu=0.4)
-    >>> finger = tribos.PointContact.on(table.patch, [0.05, -0.1], mu=0.3)
-    >>> velocities = jax.numpy.broadcast_to(jax.numpy.array([0.0, 0.02]), (20, 2))
-    >>> path = tribos.jax.push_along(table, finger, velocities, 20.0, dt=0.5)
-    >>> print(path.position.shape, f"{path.angle[-1]:.3f} rad", path.end[-1])
-    (21, 2) 0.839 rad 0
+    >>> puck = tribos.Friction(tribos.disk(0.05), mu=0.3)
+    >>> finger = tribos.PointContact.on(puck.patch, [0.01, -0.05], mu=0.3)
+    >>> @jax.jit
+    ... def path(velocities):
+    ...     return tribos.jax.push_along(puck, finger, velocities, 2.0, dt=0.5)
+    >>> made = path(jax.numpy.broadcast_to(jax.numpy.array([0.0, 0.02]), (8, 2)))
+    >>> print(made.position.shape, f"{made.angle[-1]:.3f} rad", made.end[-1])
+    (9, 2) 0.473 rad 0
     """
     sizes = {"mu": mu, "radius": radius, "corners": corners}
     call = Call("push_along", friction, velocities, backend=backend, **sizes)
