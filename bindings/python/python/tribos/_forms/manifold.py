@@ -177,7 +177,8 @@ def _scaled(
 def _searched(space: Space, scaled: _Scaled, start: Any, steps: int) -> tuple[Any, Any]:
     """The point (s, c h(s²)) of the curve, without derivatives."""
     h1, h2, h4 = (space.still(term) for term in scaled.curve)
-    scaled = _Scaled(*(space.still(part) for part in scaled[:4]), (h1, h2, h4))
+    a, b, a_force, b_torque = (space.still(part) for part in scaled[:4])
+    scaled = _Scaled(a, b, a_force, b_torque, (h1, h2, h4))
     tiny = TINY[space.type_of(scaled.a)]
     multiplier, spinning_sq = _nearest_of_circle(space, scaled, space.still(start), tiny)
     s, c = _start(space, scaled, multiplier, spinning_sq, tiny)
@@ -185,7 +186,8 @@ def _searched(space: Space, scaled: _Scaled, start: Any, steps: int) -> tuple[An
     for _ in range(steps):
         last = _step(space, scaled, s, c, last)
         s, c = _turned(space, s, c, last[0])
-    return space.apart((s, c))
+    s, c = space.apart((s, c))
+    return s, c
 
 
 def _nearest_of_circle(space: Space, scaled: _Scaled, start: Any, tiny: float) -> tuple[Any, Any]:
