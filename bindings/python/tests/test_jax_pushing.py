@@ -40,9 +40,9 @@ def random_pushes(friction: tribos.Friction, count: int) -> np.ndarray:
         normal = -place
     velocity = rng.normal(size=(count, 2)) + 0.7 * normal / np.linalg.norm(normal, axis=1)[:, None]
     mu = rng.uniform(0.0, 1.0, count)
-    # A third is a milliradian from an edge of the motion cone.
+    # A third is a tenth of a milliradian from an edge of the motion cone.
     cone = tribos.motion_cone(friction.limit_surface(20.0), tribos.PointContact(place, normal, mu))
-    is_left, off = rng.random((count, 1)) < 0.5, 1e-3 * rng.choice([-1.0, 1.0], (count, 1))
+    is_left, off = rng.random((count, 1)) < 0.5, 1e-4 * rng.choice([-1.0, 1.0], (count, 1))
     edge = np.where(is_left, cone.left.velocity, cone.right.velocity)
     beside = edge + off * edge[:, ::-1] * [-1.0, 1.0]
     velocity = np.where(np.arange(count)[:, None] % 3 == 0, beside, velocity)
