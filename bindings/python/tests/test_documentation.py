@@ -15,7 +15,8 @@ MISSING = [package for package in OPTIONAL if importlib.util.find_spec(package) 
 MODULES = [
     found.name
     for found in pkgutil.iter_modules(tribos.__path__, "tribos.")
-    if found.name.rpartition(".")[2] not in {"_native", "__main__", *MISSING}
+    if (name := found.name.rpartition(".")[2]) not in {"_native", "__main__"}
+    and name.strip("_").partition("_")[0] not in MISSING
 ]
 
 

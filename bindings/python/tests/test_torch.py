@@ -7,6 +7,7 @@ import tribos
 torch = pytest.importorskip("torch")
 
 import tribos.torch as tt  # noqa: E402
+from tribos import _gradients, _torch_forms  # noqa: E402
 
 FRICTIONS = [
     tribos.Friction(tribos.disk(0.1), mu=0.5),
@@ -93,3 +94,51 @@ def test_types_are_those_of_the_tensors() -> None:
     made.sum().backward()
     assert twist.grad.dtype == torch.float32
     assert tt.wrench(FRICTIONS[0], TWISTS, 10.0).dtype == torch.get_default_dtype()
+
+
+def operations(friction: tribos.Friction):
+    """Each operation that has a form, with arguments."""
+    loads, body = [10.0, 7.0], (2.0, 0.006, 0.01)
+    return [
+        (_gradients.Wrench(friction), (TWISTS, loads)),
+        (_gradients.Support(friction), (TWISTS, 3.0)),
+        (_gradients.Gauge(friction), (PUSHES, loads)),
+        (_gradients.Normal(friction), (PUSHES,)),
+        (_gradients.Project(friction, 0.03), ([[6.0, 8.0, 0.2], [-18.0, 2.0, 0.4]], loads)),
+        (_gradients.PlanarStep(friction), (TWISTS, PUSHES, loads, *body)),
+    ]
+
+
+@pytest.mark.parametrize("friction", FRICTIONS, ids=repr)
+def test_forms_on_tensors_give_what_the_kernel_gives(friction: tribos.Friction) -> None:
+    for operation, given in operations(friction):
+        assert _torch_forms.has_form(operation)
+        for dtype, tolerance in ((torch.float64, 1e-12), (torch.float32, 1e-5)):
+            tensors = [torch.tensor(x, dtype=dtype) for x in given]
+            made = _torch_forms.applied(operation, *tensors)
+            wanted = operation.value(*(x.numpy().astype(float) for x in tensors))
+            for one, other in zip(made, wanted, strict=True):
+                assert one.dtype == dtype
+                scale = float(np.abs(other).max()) or 1.0
+                assert np.allclose(one / scale, other / scale, rtol=0.0, atol=tolerance), operation
+
+
+@pytest.mark.parametrize("friction", FRICTIONS, ids=repr)
+def test_second_derivatives_are_those_of_differences(friction: tribos.Friction) -> None:
+    for operation, given in operations(friction):
+        smooth = [tt._apply(operation, *doubles(*given))[k] for k in operation.smooth]
+        assert all(one.requires_grad for one in smooth)
+
+        def of(*tensors, operation=operation):
+            made = tt._apply(operation, *tensors)
+            return tuple(made[k] for k in operation.smooth)
+
+        assert torch.autograd.gradgradcheck(of, doubles(*given), eps=1e-7, atol=1e-4, rtol=1e-4)
+
+
+def test_what_has_no_form_has_first_derivatives() -> None:
+    friction = tribos.Friction(tribos.points([[0.1, 0.0], [-0.1, 0.0], [0.0, 0.2]]), mu=0.5)
+    (twist,) = doubles(TWISTS[0])
+    (slope,) = torch.autograd.grad(tt.support(friction, twist, 7.0), twist, create_graph=True)
+    with pytest.raises(RuntimeError, match="grad"):
+        slope.sum().backward()

@@ -8,7 +8,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 
-from tribos import _jax_native
+from tribos._forms import of_friction
 from tribos._friction import Friction
 
 BACKENDS = ("auto", "xla", "callback")
@@ -59,7 +59,7 @@ class Call:
         """The form, unless the kernel is to serve."""
         if backend not in BACKENDS:
             raise ValueError(f"{self.name}: backend must be one of {BACKENDS}, not {backend!r}")
-        kind = None if backend == "callback" else _jax_native.kind_of(self.friction)
+        kind = None if backend == "callback" else of_friction.kind_of(self.friction)
         if kind is None and backend == "xla":
             raise ValueError(
                 f"{self.name}: {self.friction!r} has no form in XLA, as {WITH_FORM} has: "
@@ -76,7 +76,7 @@ class Call:
         """The coefficient for a form; for the kernel, that of 1 if one is given for each row."""
         if mu is None:
             return None if self.kind is None else np.asarray(self.friction.mu, self.type)
-        if _jax_native.is_dry(self.friction):
+        if of_friction.is_dry(self.friction):
             if self.kind is None:
                 self.friction = Friction(self.friction.patch, mu=1.0, tier=self.friction.tier)
             return self.number("mu", mu)
@@ -89,7 +89,7 @@ class Call:
         """Radius or corners for a form."""
         if self.kind is None:
             return None
-        is_flat = self.kind == _jax_native.FLAT
+        is_flat = self.kind == of_friction.FLAT
         if (radius if is_flat else corners) is not None:
             key, own = ("radius", "corners") if is_flat else ("corners", "radius")
             raise ValueError(f"{self.name}: {key}= is not for {self.friction.patch!r}; give {own}=")
@@ -103,7 +103,7 @@ class Call:
             return made
         if radius is not None:
             return self.number("radius", radius, above=True)
-        return np.asarray(_jax_native.size_of(self.friction), self.type)
+        return np.asarray(of_friction.size_of(self.friction), self.type)
 
     def rows(self, key: str, given: Any) -> Any:
         """Rows of three numbers."""

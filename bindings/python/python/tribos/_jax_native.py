@@ -11,40 +11,10 @@ import jax.numpy as jnp
 import numpy as np
 
 from tribos._forms import sets, soft, step, xla
-from tribos._forms.coulomb import ORDERS, Pressure
 from tribos._forms.form import Form
-from tribos._forms.polygon import Flat
-from tribos._forms.round import Round
-from tribos._friction import Friction
-from tribos._patches import outline
-
-#: The form of polygons; others have the names of their pressures.
-FLAT = "flat"
+from tribos._forms.of_friction import FLAT, form_of
 
 _of_kind = partial(jax.jit, static_argnums=0)
-
-
-def is_dry(friction: Friction) -> bool:
-    """Whether friction does not depend on the speed."""
-    law = friction.law
-    return law.name == "coulomb" or (law.name == "power" and law.parameters["alpha"] == 0.0)
-
-
-def kind_of(friction: Friction) -> str | None:
-    """The form of a friction, None if it has none."""
-    patch = friction.patch
-    if not is_dry(friction):
-        return None
-    if patch.kind in ORDERS:
-        return patch.kind
-    is_flat = patch.kind in ("box", "polygon")
-    return FLAT if is_flat and not {"holes", "centre"} & dict(patch._parameters).keys() else None
-
-
-def size_of(friction: Friction) -> Any:
-    """The numbers that the form of a friction is made from: its radius or its corners, in m."""
-    patch = friction.patch
-    return patch.radius if patch.kind in ORDERS else outline(patch)[0]
 
 
 def _prepared(
@@ -54,8 +24,7 @@ def _prepared(
     shapes = [row.shape[:-1] for row in rows]
     shapes += [number.shape for number in numbers if number is not None]
     whole = np.broadcast_shapes(*shapes, size.shape[:-2] if kind == FLAT else size.shape)
-    form: Form = Flat(size) if kind == FLAT else Round(Pressure(kind), size)
-    return form, whole, [jnp.broadcast_to(row, (*whole, 3)) for row in rows]
+    return form_of(kind, size), whole, [jnp.broadcast_to(row, (*whole, 3)) for row in rows]
 
 
 @_of_kind

@@ -69,13 +69,19 @@ import jax.numpy as jnp
 
 from tribos import _gradients, _jax_callback, _jax_native
 from tribos._checks import positive
+from tribos._forms.pushed_path import Journey
+from tribos._forms.pushing import PointContact, Push
 from tribos._friction import Friction
 from tribos._gradients import length_of
 from tribos._jax_arguments import Call
 from tribos._jax_manifold import manifold_friction
+from tribos._jax_pushing import push, push_along
 from tribos._planar import Step
 
 __all__ = [
+    "Journey",
+    "PointContact",
+    "Push",
     "Slide",
     "Step",
     "gauge",
@@ -84,6 +90,8 @@ __all__ = [
     "normal",
     "planar_step",
     "project",
+    "push",
+    "push_along",
     "slide",
     "support",
     "wrench",

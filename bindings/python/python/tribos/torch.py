@@ -1,7 +1,7 @@
 """Friction, limit surfaces, planar steps and ways to rest in PyTorch programs, with derivatives.
 
-The functions take and return tensors on the processor. The numbers come from the same compiled
-kernel as those of numpy arrays; ``backward`` uses the analytic derivatives, of first order.
+The functions take and return tensors. On the processor the numbers come from the same compiled kernel as
+those of numpy arrays, and ``backward`` uses its analytic derivatives.
 
 >>> import torch, tribos, tribos.torch
 >>> puck = tribos.Friction(tribos.disk(0.04), mu=0.3)
@@ -12,6 +12,11 @@ kernel as those of numpy arrays; ``backward`` uses the analytic derivatives, of 
 
 Notes
 -----
+*Devices and second derivatives*: Coulomb friction of `tribos.disk`, `ring`, `punch`, `hertz`, `paraboloid`, and of `box`
+and `polygon` under uniform pressure, has a form in PyTorch's own operations, which are those of `tribos.jax`. Tensors on
+other devices are computed by it, in their own type; ``backward(create_graph=True)`` follows it on every device, so that
+derivatives of every order are right. All else has tensors on the processor and first derivatives.
+
 *Precision*: the kernel computes in float64; results have the type that the tensors have together, or
 torch's default type for numbers. Derivatives that matter want float64.
 
@@ -34,7 +39,7 @@ from torch.autograd.function import (  # type: ignore[import-not-found, unused-i
     once_differentiable,
 )
 
-from tribos import _gradients
+from tribos import _gradients, _torch_forms
 from tribos._checks import positive
 from tribos._friction import Friction
 from tribos._gradients import Operation, finite_derivatives, length_of
@@ -189,50 +194,101 @@ def _apply(operation: Operation, *given: Any) -> tuple[Any, ...]:
             dtype = torch.promote_types(dtype, tensor.dtype)
         if not dtype.is_floating_point:
             dtype = torch.get_default_dtype()
-    tensors = [torch.as_tensor(x, dtype=dtype) for x in given]
-    for tensor in tensors:
-        if tensor.device.type != "cpu":
-            raise ValueError(f"tensors must be on the processor, not on {tensor.device}")
-    results: tuple[Any, ...] = _Operated.apply(operation, *tensors)
+    devices = {x.device for x in made}
+    device = devices.pop() if devices else torch.device("cpu")
+    if devices:
+        raise ValueError(f"tensors must be on one device, not on {device} and {devices.pop()}")
+    tensors = [torch.as_tensor(x, dtype=dtype, device=device) for x in given]
+    results: tuple[Any, ...]
+    if device.type != "cpu":
+        if not _torch_forms.has_form(operation):
+            raise ValueError(f"tensors must be on the processor for {operation!r}, not on {device}")
+        results = _torch_forms.applied(operation, *tensors)
+    elif _torch_forms.has_form(operation):
+        results = _OperatedTwice.apply(operation, *tensors)
+    else:
+        results = _Operated.apply(operation, *tensors)
     return results
 
 
 class _Operated(torch.autograd.Function):  # type: ignore[misc, unused-ignore]
-    """An operation as a node of the graph."""
+    """An operation of the compiled kernel as a node of the graph."""
 
     @staticmethod
     def forward(ctx: Any, operation: Operation, *given: Any) -> tuple[Any, ...]:
-        dtype = given[0].dtype
-        arrays = [tensor.detach().numpy() for tensor in given]
-        ctx.operation = operation
-        ctx.needed = [at for at, is_needed in enumerate(ctx.needs_input_grad[1:]) if is_needed]
-        slopes: list[Any] = []
-        if ctx.needed:
-            values, by = finite_derivatives(operation, *arrays)
-            slopes = [by[output][at] for at in ctx.needed for output in operation.smooth]
-        else:
-            values = operation.value(*arrays)
-        ctx.shapes = [tensor.shape for tensor in given]
-        ctx.save_for_backward(*(_tensor(slope, dtype) for slope in slopes))
-        made = tuple(_tensor(value, dtype) for value in values)
-        constant = [one for at, one in enumerate(made) if at not in operation.smooth]
-        ctx.mark_non_differentiable(*constant)
-        return made
+        return _forward(ctx, operation, *given)
 
     @staticmethod
     @once_differentiable  # type: ignore[misc, untyped-decorator, unused-ignore]
     def backward(ctx: Any, *gradients: Any) -> tuple[Any, ...]:
+        return _backward(ctx, *gradients)
+
+
+class _OperatedTwice(torch.autograd.Function):  # type: ignore[misc, unused-ignore]
+    """The same with a form, which derivatives of derivatives follow."""
+
+    @staticmethod
+    def forward(ctx: Any, operation: Operation, *given: Any) -> tuple[Any, ...]:
+        return _forward(ctx, operation, *given)
+
+    @staticmethod
+    def backward(ctx: Any, *gradients: Any) -> tuple[Any, ...]:
+        if not torch.is_grad_enabled():
+            return _backward(ctx, *gradients)
+        # Views, lest ways from one argument to another count.
+        at = [x.view_as(x) for x in ctx.saved_tensors[: len(ctx.shapes)]]
         operation = ctx.operation
-        slopes = iter(ctx.saved_tensors)
+        made = _torch_forms.applied(operation, *at)
+        outputs = [made[output] for output in operation.smooth]
+        weights = [gradients[output] for output in operation.smooth]
+        slopes = iter(
+            torch.autograd.grad(
+                outputs,
+                [at[n] for n in ctx.needed],
+                weights,
+                create_graph=True,
+                allow_unused=True,
+            )
+        )
         results: list[Any] = [None] * (1 + len(ctx.shapes))
-        for at in ctx.needed:
-            total: Any = 0.0
-            for output in operation.smooth:
-                i, j = "i" if operation.outputs[output] else "", "j" if operation.inputs[at] else ""
-                formula = f"...{i}{j},...{i}->...{j}"
-                total = total + torch.einsum(formula, next(slopes), gradients[output])
-            results[1 + at] = total.sum_to_size(ctx.shapes[at])
+        for n in ctx.needed:
+            results[1 + n] = next(slopes)
         return tuple(results)
+
+
+def _forward(ctx: Any, operation: Operation, *given: Any) -> tuple[Any, ...]:
+    """The outputs; the arguments and derivatives are kept."""
+    dtype = given[0].dtype
+    arrays = [tensor.detach().numpy() for tensor in given]
+    ctx.operation = operation
+    ctx.needed = [at for at, is_needed in enumerate(ctx.needs_input_grad[1:]) if is_needed]
+    slopes: list[Any] = []
+    if ctx.needed:
+        values, by = finite_derivatives(operation, *arrays)
+        slopes = [by[output][at] for at in ctx.needed for output in operation.smooth]
+    else:
+        values = operation.value(*arrays)
+    ctx.shapes = [tensor.shape for tensor in given]
+    ctx.save_for_backward(*given, *(_tensor(slope, dtype) for slope in slopes))
+    made = tuple(_tensor(value, dtype) for value in values)
+    constant = [one for at, one in enumerate(made) if at not in operation.smooth]
+    ctx.mark_non_differentiable(*constant)
+    return made
+
+
+def _backward(ctx: Any, *gradients: Any) -> tuple[Any, ...]:
+    """Gradients by the derivatives that are kept."""
+    operation = ctx.operation
+    slopes = iter(ctx.saved_tensors[len(ctx.shapes) :])
+    results: list[Any] = [None] * (1 + len(ctx.shapes))
+    for at in ctx.needed:
+        total: Any = 0.0
+        for output in operation.smooth:
+            i, j = "i" if operation.outputs[output] else "", "j" if operation.inputs[at] else ""
+            formula = f"...{i}{j},...{i}->...{j}"
+            total = total + torch.einsum(formula, next(slopes), gradients[output])
+        results[1 + at] = total.sum_to_size(ctx.shapes[at])
+    return tuple(results)
 
 
 def _tensor(array: Any, dtype: Any) -> Any:

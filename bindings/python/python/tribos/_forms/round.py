@@ -105,7 +105,7 @@ def _lengths(space: Space, wrenches: Any, radius: Any) -> tuple[Any, Any, Any, A
     share = 1.0 / space.where(is_none, 1.0, size)
     x, y = x * share, y * share
     length = space.sqrt(space.where(is_none, 1.0, x * x + y * y))
-    sense = space.where(torque < 0.0, -1.0, 1.0)
+    sense = space.where(torque < 0.0, -1.0, 1.0 + 0.0 * torque)
     return x / length, y / length, size * length, sense, sense * torque
 
 

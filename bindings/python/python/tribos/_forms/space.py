@@ -20,6 +20,12 @@ class Space(Protocol):
     def log(self, x: Any) -> Any:
         """Natural logarithm."""
 
+    def cos(self, x: Any) -> Any:
+        """Cosine of an angle in rad."""
+
+    def sin(self, x: Any) -> Any:
+        """Sine of an angle in rad."""
+
     def abs(self, x: Any) -> Any:
         """Absolute value; its derivative at 0 is 0."""
 
@@ -64,6 +70,11 @@ class Space(Protocol):
         is_done: Callable[[Any], Any] | None = None,
     ) -> Any:
         """The state after so many steps, or before as soon as all of `is_done` holds; without derivatives."""
+
+    def course(
+        self, step: Callable[[Any, Any], tuple[Any, Any]], state: Any, rows: Any
+    ) -> tuple[Any, Any]:
+        """The state after a step for each row of the arrays' first axis, and what the steps give beside it, in rows."""
 
     def pushed(
         self, of: Callable[..., Any], arguments: Sequence[Any], tangents: Sequence[Any]

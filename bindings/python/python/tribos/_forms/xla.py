@@ -12,6 +12,8 @@ from jax.custom_derivatives import SymbolicZero
 where = jnp.where
 sqrt = jnp.sqrt
 log = jnp.log
+cos = jnp.cos
+sin = jnp.sin
 abs = jnp.abs
 still = jax.lax.stop_gradient
 
@@ -73,6 +75,11 @@ def loop(
         return (at[0] < count) & ~jnp.all(is_done(at[1]))
 
     return jax.lax.while_loop(goes_on, lambda at: (at[0] + 1, step(at[1])), (0, start))[1]
+
+
+def course(step: Callable[[Any, Any], tuple[Any, Any]], state: Any, rows: Any) -> tuple[Any, Any]:
+    made: tuple[Any, Any] = jax.lax.scan(step, state, rows)
+    return made
 
 
 def pushed(of: Callable[..., Any], arguments: Sequence[Any], tangents: Sequence[Any]) -> Any:
