@@ -174,6 +174,30 @@ def patch_axes(matrix: wp.mat33, normal: wp.vec3) -> wp.mat33:
 
 
 @wp.func
+def turned(vector: wp.vec3, normal: wp.vec3, angle: float) -> wp.vec3:
+    """A vector turned about a normal."""
+    along = wp.dot(vector, normal) * normal
+    across = vector - along
+    return along + wp.cos(angle) * across + wp.sin(angle) * wp.cross(normal, across)
+
+
+@wp.func
+def turn_to_half_time(engine: Engine, feet: Feet, w: int, k: int, dt: float):
+    """The patch as the body's spin will have turned it about the centre of mass in half a step."""
+    body = feet.bodies[k][0]
+    axes = feet.axes[w, k]
+    normal = wp.vec3(axes[2, 0], axes[2, 1], axes[2, 2])
+    angle = 0.5 * dt * wp.dot(wp.spatial_top(engine.cvel[w, body]), normal)
+    x = turned(wp.vec3(axes[0, 0], axes[0, 1], axes[0, 2]), normal, angle)
+    y = wp.cross(normal, x)
+    feet.axes[w, k] = wp.mat33(
+        x[0], x[1], x[2], y[0], y[1], y[2], normal[0], normal[1], normal[2]
+    )
+    com = engine.xipos[w, body]
+    feet.centre[w, k] = com + turned(feet.centre[w, k] - com, normal, angle)
+
+
+@wp.func
 def inverse_inertia(engine: Engine, w: int, body: int, normal: wp.vec3, rolls: int) -> wp.mat33:
     """About the normal alone, where contacts keep the body from tilting, or of a body that rolls."""
     matrix = engine.ximat[w, body]
@@ -265,7 +289,9 @@ def acceleration(
 
 
 @wp.func
-def prepare(engine: Engine, feet: Feet, w: int, k: int, passive: wp.array2d(dtype=float)):
+def prepare(
+    engine: Engine, feet: Feet, w: int, k: int, dt: float, passive: wp.array2d(dtype=float)
+):
     """Frame, motion, acceleration and compliance of a foot that touches its floor."""
     count = wp.min(feet.contacts[w, k], feet.row.shape[2])
     sort_contacts(feet, w, k, count)
@@ -293,6 +319,8 @@ def prepare(engine: Engine, feet: Feet, w: int, k: int, passive: wp.array2d(dtyp
         matrix = engine.site_xmat[w, of[1]]
     feet.axes[w, k] = patch_axes(matrix, normal)
     feet.centre[w, k] = origin - wp.dot(origin - place, normal) * normal
+    if feet.rolls[k] == 0:
+        turn_to_half_time(engine, feet, w, k, dt)
     bodies = feet.bodies[k]
     twist = motion_at(engine, feet, w, k, bodies[0])
     pushed = acceleration(engine, feet, w, k, bodies[0], passive)
@@ -414,7 +442,7 @@ def add_friction(engine: Engine, feet: Feet, passive: wp.array2d(dtype=float)):
     dt = engine.timestep[w % engine.timestep.shape[0]]
     for k in range(feet.count):
         if feet.contacts[w, k] > 0:
-            prepare(engine, feet, w, k, passive)
+            prepare(engine, feet, w, k, dt, passive)
         else:
             feet.friction[w, k] = wp.vec3(0.0, 0.0, 0.0)
             feet.held[w, k] = 0

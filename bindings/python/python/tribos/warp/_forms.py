@@ -25,6 +25,8 @@ HERTZ = wp.constant(3)
 PARABOLOID = wp.constant(4)
 """Pressure 1 − r²."""
 
+ROUNDING = wp.constant(2.0**-23)
+
 KINDS = ("disk", "ring", "punch", "hertz", "paraboloid")
 """The pressures by their number."""
 # Order q of each pressure (1 − r²)^q, and 1/(q + 3/2).
@@ -159,13 +161,15 @@ def force_and_torque(pressure: int, slides: bool, z: float) -> wp.vec2:
 
 @wp.func
 def force_and_slope(pressure: int, slides: bool, z: float) -> wp.vec2:
-    """Φ and Φ' at z in [0, 1]; the least number for z stands in for a ring's infinite Φ' at z = 0."""
+    """Φ and Φ' at z in [0, 1]; a ring's Φ', infinite at z = 0, ends at what rounding knows of z."""
     at = argument_and_hooks(pressure, z)
     u = at[0]
+    hook = at[2]
     if pressure == RING:
         u = z
+        hook = log_part(wp.max(z, ROUNDING))
     sums = slope_sums(pressure, slides, u)
-    return wp.vec2(sums[0] + at[1] * sums[2], sums[1] + at[2] * sums[3])
+    return wp.vec2(sums[0] + at[1] * sums[2], sums[1] + hook * sums[3])
 
 
 @wp.func

@@ -175,5 +175,5 @@ def manifold_friction(
     return wp.vec3(
         carried * (impulse[0] * inv),
         carried * (impulse[1] * inv),
-        wp.where(turn < 0.0, -carried_turn, carried_turn),
+        wp.where(turn < 0.0, -1.0 * carried_turn, carried_turn),
     )
