@@ -210,9 +210,10 @@ class AttachedFeet:
     def _free_of_friction(self, given: list[_Foot]) -> None:
         """Makes the contacts of the feet with their floors frictionless."""
         model, names = self._simulation.model, self._simulation.names
-        condim = model.geom_condim.numpy()
+        # On a processor numpy() is a view.
+        condim = model.geom_condim.numpy().copy()
         changed = condim.copy()
-        pair_dim = model.pair_dim.numpy()
+        pair_dim = model.pair_dim.numpy().copy()
         pairs = pair_dim.copy()
         for foot in given:
             for geom in foot.geoms:
