@@ -20,10 +20,10 @@ wp.config.optimization_level = 0
 
 import tribos.warp as tw  # noqa: E402
 
-MU, GRAVITY, STEP = 0.3, 9.81, 0.002
+MU, GRAVITY, STEP = 0.3, 9.81, 0.004
 SPINS = np.array([0.0, 5.0, 12.5, 25.0, 50.0])
 LEGS = 0.1 * np.array([[np.cos(a), np.sin(a)] for a in (0.0, 2 * np.pi / 3, 4 * np.pi / 3)])
-SETTLED, LAUNCHED = 60, 400
+SETTLED, LAUNCHED = 40, 200
 
 # Two bodies that spin, a ball, three legs with the centre of mass on the floor, and a disc on a slab.
 SCENE = f"""
