@@ -22,7 +22,7 @@ SPINS = np.array([0.0, 5.0, 12.5, 25.0, 50.0])  # rad/s
 SCENE = f"""
 <mujoco>
   <option timestep="{STEP}" gravity="0 0 -{GRAVITY}" cone="elliptic"/>
-  <default><geom friction="{MU} 1e-6 0" condim="4"/></default>
+  <default><geom friction="{MU}"/></default>
   <worldbody>
     <geom name="ice" type="plane" size="9 9 0.1"/>
     <body pos="0 0 0.01">

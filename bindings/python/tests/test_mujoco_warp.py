@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
 import tribos
 
 wp = pytest.importorskip("warp")
@@ -146,7 +145,11 @@ def test_what_is_not_meant_is_refused_in_words():
         ("are of one body", {"slab": disk}, {"floor": "slab"}),
         ("not of one body|of one body, those", {("puck", "box"): disk}, {}),
         ("not tribos.annulus", {"puck": tribos.Friction(tribos.annulus(0.1, 0.2), mu=0.1)}, {}),
-        ("has no limit surface", {"puck": tribos.Friction(tribos.disk(0.1), mu=0.1, alpha=0.5)}, {}),
+        (
+            "has no limit surface",
+            {"puck": tribos.Friction(tribos.disk(0.1), mu=0.1, alpha=0.5)},
+            {},
+        ),
         ("must be a tribos.Friction", {"puck": 0.3}, {}),
         ("at least one foot", {}, {}),
         ("shape", puck, {"mu": [1.0, 2.0, 3.0]}),
@@ -158,7 +161,11 @@ def test_what_is_not_meant_is_refused_in_words():
             puck,
             {"scene": SCENE.replace("<freejoint/>", '<joint type="slide" axis="1 0 0"/>', 1)},
         ),
-        ("capsule", puck, {"scene": SCENE.replace('"puck" type="cylinder"', '"puck" type="capsule"')}),
+        (
+            "capsule",
+            puck,
+            {"scene": SCENE.replace('"puck" type="cylinder"', '"puck" type="capsule"')},
+        ),
     ):
         with pytest.raises(ValueError, match=words):
             attached(feet, **others)

@@ -11,7 +11,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
 import tribos
 
 wp = pytest.importorskip("warp")
@@ -222,7 +221,9 @@ def test_no_row_is_lost():
 
 
 def test_the_logarithm_needs_no_library():
-    z = np.float32(np.concatenate([np.geomspace(2.0**-126, 1, 10_000), 1 - np.geomspace(1e-7, 0.3)]))
+    z = np.float32(
+        np.concatenate([np.geomspace(2.0**-126, 1, 10_000), 1 - np.geomspace(1e-7, 0.3)])
+    )
     out = wp.zeros(len(z), dtype=float, device="cpu")
     wp.launch(logarithms, len(z), [wp.array(z, dtype=float, device="cpu")], [out], device="cpu")
     wanted = np.log(z.astype(float))
@@ -305,7 +306,7 @@ def test_a_planar_step_is_that_of_the_kernel(kind):
             assert np.quantile(error, 0.995) < 1e-5, (which, part)
 
 
-SOURCE = """
+MANIFOLD = """
 #include "tribos_manifold_friction.h"
 void rows(int n, const float *given, const float *of, float *out)
 {
@@ -320,13 +321,54 @@ void rows(int n, const float *given, const float *of, float *out)
 	}
 }
 """
+ROUNDS = """
+#include "tribos_kernel.h"
+void rows(int n, const float *given, const float *of, float *out)
+{
+	for (int i = 0; i < n; ++i) {
+		const tribos_kernel_twist_f32 twist = { given[3 * i], given[3 * i + 1], given[3 * i + 2] };
+		const tribos_kernel_wrench_f32 found =
+			tribos_kernel_round_wrench_f32((int)of[0], twist, of[1], of[2]);
+		out[3 * i] = found.x;
+		out[3 * i + 1] = found.y;
+		out[3 * i + 2] = found.torque;
+	}
+}
+"""
+
+
+def by_header(folder, source, given, of):
+    """What a C header gives for rows, compiled without contraction."""
+    header = Path(__file__).parents[2] / "c" / "include"
+    needed = header / source.split('"')[1]
+    compiler = shutil.which("cc")
+    if compiler is None or not needed.exists():
+        pytest.skip(f"needs a C compiler and {needed.name}")
+    (folder / "rows.c").write_text(source)
+    flags = ["-O1", "-ffp-contract=off", "-shared", "-fPIC", f"-I{header}"]
+    command = [compiler, *flags, "rows.c", "-o", "rows.so", "-lm"]
+    subprocess.run(command, cwd=folder, check=True)
+    out = np.empty_like(given)
+    pointers = [x.ctypes.data_as(ctypes.c_void_p) for x in (given, of, out)]
+    ctypes.CDLL(str(folder / "rows.so")).rows(len(given), *pointers)
+    return out
+
+
+def test_round_wrenches_have_the_bits_of_the_c_header(tmp_path):
+    twists = np.float32(spread(50_000, seed=5))
+    corners = wp.array(CORNERS, dtype=wp.vec2, device="cpu")
+    out = wp.zeros(len(twists), dtype=wp.vec3, device="cpu")
+    rows = [on_device(np.full(len(twists), x)) for x in (LIMIT, RADIUS)]
+    for kind in range(5):
+        of = np.float32([kind, LIMIT, RADIUS])
+        wanted = by_header(tmp_path, ROUNDS, twists, of)
+        given = [kind, on_device(twists, wp.vec3), *rows, corners]
+        wp.launch(wrenches, len(twists), given, [out], device="cpu")
+        # As numbers: zeros may differ in sign.
+        assert (out.numpy() == wanted).all()
 
 
 def test_a_manifold_has_the_bits_of_the_c_header(tmp_path):
-    header = Path(__file__).parents[2] / "c" / "include"
-    compiler = shutil.which("cc")
-    if compiler is None or not header.exists():
-        pytest.skip("needs a C compiler and the repository")
     rng = np.random.default_rng(4)
     count = 20_000
     impulse = np.float32(rng.normal(size=(count, 3)) * 10 ** rng.uniform(-1, 1, (count, 1)))
@@ -334,14 +376,7 @@ def test_a_manifold_has_the_bits_of_the_c_header(tmp_path):
     of = np.float32(rng.uniform(low, high, (count, 5)))
     impulse[:3] = [[0, 0, 0], [5, 0, 0], [0, 0, 5]]
     of[3:5, 0], of[5:7, 1] = 0.0, 0.0
-    (tmp_path / "rows.c").write_text(SOURCE)
-    flags = ["-O1", "-ffp-contract=off", "-shared", "-fPIC", f"-I{header}"]
-    subprocess.run(
-        [compiler, *flags, "rows.c", "-o", "rows.so", "-lm"], cwd=tmp_path, check=True
-    )
-    wanted = np.empty_like(impulse)
-    pointers = [x.ctypes.data_as(ctypes.c_void_p) for x in (impulse, of, wanted)]
-    ctypes.CDLL(str(tmp_path / "rows.so")).rows(count, *pointers)
+    wanted = by_header(tmp_path, MANIFOLD, impulse, of)
     given, rows = on_device(impulse, wp.vec3), on_device(of)
     out = wp.zeros(count, dtype=wp.vec3, device="cpu", requires_grad=True)
     with wp.Tape() as tape:

@@ -103,6 +103,15 @@ class _Simulation(NamedTuple):
     data: Any
 
 
+class _Shape(NamedTuple):
+    """A patch: what it is, sides, corners, and centre, radius and 1/area."""
+
+    kind: int
+    sides: tuple[float, float]
+    corners: list[list[float]]
+    frame: tuple[float, float, float, float]
+
+
 class _Foot(NamedTuple):
     """A foot, by numbers."""
 
@@ -111,10 +120,7 @@ class _Foot(NamedTuple):
     bodies: tuple[int, int]
     floor_kind: int
     frame: tuple[int, int]
-    kind: int
-    sides: tuple[float, float]
-    corners: list[tuple[float, float]]
-    shape_frame: tuple[float, float, float, float]
+    shape: _Shape
     mu: float
 
 
@@ -282,7 +288,8 @@ def _foot(
         frame = (_OF_SITE, _index(model, "site", site))
     else:
         frame = (int(OF_GEOM), geoms[0]) if len(geoms) == 1 else (int(OF_BODY), body)
-    return _Foot(geoms, ground, (body, other), kind, frame, *_patch(name, friction), friction.mu)
+    shape = _shape(name, friction)
+    return _Foot(geoms, ground, (body, other), kind, frame, shape, friction.mu)
 
 
 def _is_free(model: Any, body: int) -> bool:
@@ -292,22 +299,22 @@ def _is_free(model: Any, body: int) -> bool:
     return bool(has_joint and alone and not (model.body_parentid[1:] == body).any())
 
 
-def _patch(name: Name, friction: Friction) -> tuple[Any, ...]:
-    """Kind, sides, corners, and centre, radius and 1/area of a patch."""
+def _shape(name: Name, friction: Friction) -> _Shape:
     patch = friction.patch
     given = dict(patch._parameters)
     x, y = patch.centre
     if patch.kind in KINDS:
-        return (KINDS.index(patch.kind), (0.0, 0.0), [], (x, y, patch.radius, 0.0))
+        return _Shape(KINDS.index(patch.kind), (0.0, 0.0), [], (x, y, patch.radius, 0.0))
     if patch.kind == "box" and "centre" not in given:
         a, b = given["a"], given["b"]
-        return (int(BOX), (a, b), [], (0.0, 0.0, patch.radius, patch.radius**2 / (a * b)))
+        frame = (0.0, 0.0, patch.radius, patch.radius**2 / (a * b))
+        return _Shape(int(BOX), (a, b), [], frame)
     if patch.kind == "polygon" and set(given) == {"corners"}:
         corners = np.array(given["corners"])
         ahead = np.roll(corners, -1, axis=0)
         area = 0.5 * float(np.sum(corners[:, 0] * ahead[:, 1] - corners[:, 1] * ahead[:, 0]))
         frame = (x, y, patch.radius, patch.radius**2 / area)
-        return (int(POLYGON), (0.0, 0.0), corners.tolist(), frame)
+        return _Shape(int(POLYGON), (0.0, 0.0), corners.tolist(), frame)
     raise ValueError(
         f"foot {name!r}: Warp has disk, ring, punch, hertz and paraboloid, and box and polygon without "
         f"holes under uniform pressure, not {patch!r}"
@@ -345,7 +352,9 @@ def _index(model: Any, kind: str, name: object) -> int:
     index = mujoco.mj_name2id(model, kinds[kind], name) if isinstance(name, str) else -1
     if index < 0:
         count = model.ngeom if kind == "geom" else model.nsite
-        names: Iterable[str | None] = (mujoco.mj_id2name(model, kinds[kind], i) for i in range(count))
+        names: Iterable[str | None] = (
+            mujoco.mj_id2name(model, kinds[kind], i) for i in range(count)
+        )
         known = ", ".join(repr(one) for one in names if one)
         raise ValueError(
             f"the model has no {kind} {name!r}; its named {kind}s are: {known or 'none'}"
@@ -360,17 +369,21 @@ def _arrays(
     data = simulation.data
     worlds, count, device = data.nworld, len(given), data.qvel.device
     pairs = [(geom, foot.floor, k) for k, foot in enumerate(given) for geom in foot.geoms]
-    most = max(1, max(len(foot.corners) for foot in given))
+    most = max(1, max(len(foot.shape.corners) for foot in given))
     corners = np.zeros((count, most, 2), np.float32)
     for k, foot in enumerate(given):
-        if foot.corners:
+        if foot.shape.corners:
             # The last corner again where there are no more.
-            rows = foot.corners + [foot.corners[-1]] * (most - len(foot.corners))
+            rows = foot.shape.corners + [foot.shape.corners[-1]] * (most - len(foot.shape.corners))
             corners[k] = rows
     slots = _CONTACTS * max(len(foot.geoms) for foot in given)
     feet = Feet()
     feet.count = count
-    shared = [body for foot in given for body in (foot.bodies[0], foot.bodies[1] if foot.floor_kind == FREE else -1)]
+    shared = [
+        body
+        for foot in given
+        for body in (foot.bodies[0], foot.bodies[1] if foot.floor_kind == FREE else -1)
+    ]
     shared = [body for body in shared if body >= 0]
     feet.sweeps = 1 if len(set(shared)) == len(shared) else _ROUNDS
 
@@ -384,10 +397,10 @@ def _arrays(
     feet.floor_kind = array([foot.floor_kind for foot in given], int)
     feet.rolls = array(rolls, int)
     feet.frame = array([foot.frame for foot in given], wp.vec2i)
-    feet.kind = array([foot.kind for foot in given], int)
-    feet.sides = array([foot.sides for foot in given], wp.vec2)
+    feet.kind = array([foot.shape.kind for foot in given], int)
+    feet.sides = array([foot.shape.sides for foot in given], wp.vec2)
     feet.corners = wp.array(corners, dtype=wp.vec2, device=device)
-    feet.shape_frame = array([foot.shape_frame for foot in given], wp.vec4)
+    feet.shape_frame = array([foot.shape.frame for foot in given], wp.vec4)
     feet.mu = wp.array(_coefficients(given, worlds, mu), dtype=float, device=device)
     for name, dtype in (
         ("load", float),

@@ -134,12 +134,7 @@ def edge_sums(
     share = wp.static(1.0 / 6.0) * sigma * (4.0 + total * (2.0 + total))
     left = wp.static(2.0 / 3.0) * offset - along * share
     turning = left + 2.0 * w * reach_sq * bent * eta
-    chi = (
-        arm * p
-        - rest
-        - w * double * kappa * (1.0 + p)
-        + reach_sq * inv_sum * along * turning
-    )
+    chi = arm * p - rest - w * double * kappa * (1.0 + p) + reach_sq * inv_sum * along * turning
     found[8] = along * (length * chi)
     return found
 
@@ -166,7 +161,9 @@ def polygon_total(sums: vec9, v: wp.vec3, share: float, rate: float, with_hessia
     nn = share * sums[8] + (v[0] * v[0] + v[1] * v[1])
     # The part across the motion, along which dry friction does not change.
     to = wp.vec3(
-        xx * v[0] + xy * v[1] + xn * w, xy * v[0] + yy * v[1] + yn * w, xn * v[0] + yn * v[1] + nn * w
+        xx * v[0] + xy * v[1] + xn * w,
+        xy * v[0] + yy * v[1] + yn * w,
+        xn * v[0] + yn * v[1] + nn * w,
     )
     to = to - (0.5 * wp.dot(to, v)) * v
     found[3] = rate * (xx - (to[0] * v[0] + to[0] * v[0]))
@@ -183,7 +180,7 @@ def polygon_frame(corners: wp.array(dtype=wp.vec2)) -> wp.vec4:
     """Centroid, radius and 1/area of a polygon, the area in radii² and signed by its sense."""
     count = corners.shape[0]
     origin = corners[0]
-    area = float(0.0)
+    area = 0.0
     centre = wp.vec2(0.0, 0.0)
     for i in range(1, count - 1):
         a = corners[i] - origin
@@ -192,7 +189,7 @@ def polygon_frame(corners: wp.array(dtype=wp.vec2)) -> wp.vec4:
         area += part
         centre += part * (a + b)
     centre = origin + centre / (3.0 * area)
-    radius_sq = float(0.0)
+    radius_sq = 0.0
     for i in range(count):
         x = corners[i] - centre
         radius_sq = wp.max(radius_sq, wp.dot(x, x))
@@ -245,7 +242,9 @@ def box_friction(a: float, b: float, frame: wp.vec4, motion: wp.vec3, with_hessi
     at_s = moving_corner(v, s)
     sums = (
         edge_sums(v, p, q, at_p, at_q, with_hessian) + edge_sums(v, q, r, at_q, at_r, with_hessian)
-    ) + (edge_sums(v, r, s, at_r, at_s, with_hessian) + edge_sums(v, s, p, at_s, at_p, with_hessian))
+    ) + (
+        edge_sums(v, r, s, at_r, at_s, with_hessian) + edge_sums(v, s, p, at_s, at_p, with_hessian)
+    )
     return polygon_total(sums, v, frame[3], rate, with_hessian)
 
 

@@ -10,7 +10,7 @@ import warp as wp
 
 from tribos.warp._forms import PARABOLOID
 from tribos.warp._project import round_projected
-from tribos.warp._search import BOX, POLYGON, Shape, shape_projected
+from tribos.warp._search import Shape, shape_projected
 from tribos.warp._step import is_same, turns_about
 
 # No derivatives, and the same digits on every device.
@@ -106,7 +106,7 @@ class Feet:
 def sum_loads(engine: Engine, feet: Feet):
     """Loads are the sums of the normal forces of the step before, whose contacts are still known."""
     w, k = wp.tid()
-    load = float(0.0)
+    load = 0.0
     for i in range(wp.min(feet.contacts[w, k], feet.row.shape[2])):
         load += engine.force[w, feet.row[w, k, i]]
     feet.load[w, k] = load
@@ -162,11 +162,11 @@ def patch_axes(matrix: wp.mat33, normal: wp.vec3) -> wp.mat33:
         wp.abs(wp.dot(wp.vec3(matrix[0, 1], matrix[1, 1], matrix[2, 1]), normal)),
         wp.abs(wp.dot(wp.vec3(matrix[0, 2], matrix[1, 2], matrix[2, 2]), normal)),
     )
-    following = int(1)
+    following = 1
     if along[1] > along[0] and along[1] > along[2]:
-        following = int(2)
+        following = 2
     elif along[2] >= along[0]:
-        following = int(0)
+        following = 0
     axis = wp.vec3(matrix[0, following], matrix[1, following], matrix[2, following])
     x = wp.normalize(axis - wp.dot(axis, normal) * normal)
     y = wp.cross(normal, x)
@@ -190,9 +190,7 @@ def turn_to_half_time(engine: Engine, feet: Feet, w: int, k: int, dt: float):
     angle = 0.5 * dt * wp.dot(wp.spatial_top(engine.cvel[w, body]), normal)
     x = turned(wp.vec3(axes[0, 0], axes[0, 1], axes[0, 2]), normal, angle)
     y = wp.cross(normal, x)
-    feet.axes[w, k] = wp.mat33(
-        x[0], x[1], x[2], y[0], y[1], y[2], normal[0], normal[1], normal[2]
-    )
+    feet.axes[w, k] = wp.mat33(x[0], x[1], x[2], y[0], y[1], y[2], normal[0], normal[1], normal[2])
     com = engine.xipos[w, body]
     feet.centre[w, k] = com + turned(feet.centre[w, k] - com, normal, angle)
 
@@ -425,9 +423,7 @@ def push_body(
             passive[w, first + i] = passive[w, first + i] + force[i]
             passive[w, first + 3 + i] = passive[w, first + 3 + i] + own[i]
         return
-    about = torque + wp.cross(
-        centre - engine.subtree_com[w, engine.body_rootid[body]], force
-    )
+    about = torque + wp.cross(centre - engine.subtree_com[w, engine.body_rootid[body]], force)
     for i in range(engine.nv):
         if engine.body_isdofancestor[body, i] != 0:
             axis = engine.cdof[w, i]

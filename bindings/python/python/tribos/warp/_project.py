@@ -36,9 +36,9 @@ def round_projected(
     if gauge_bound(pressure, force, torque) < 1.0 - 2.0 * COLLAR:
         return wrench
     at = round_nearest(pressure, force, torque, length / radius)
-    if at[5] <= 2.0 * COLLAR * at[4]:
+    if at[5] <= COLLAR * at[4]:
         return wrench
-    share = float(0.0)
+    share = 0.0
     if force > 0.0:
         share = at[2] / force
     turn = limit * radius * at[3]
@@ -59,7 +59,7 @@ def round_projected_adjoint(
         return inside
     lever = length / radius
     at = round_nearest(pressure, force, torque, lever)
-    if at[5] <= 2.0 * COLLAR * at[4]:
+    if at[5] <= COLLAR * at[4]:
         return inside
     given = wp.vec3(wrench[0] / limit, wrench[1] / limit, wrench[2] / radius / limit)
     axis = wp.vec2(0.0, 0.0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import warp as wp
 
 from tribos.warp._forms import DISK, force_and_slope, force_and_torque
-from tribos.warp._logarithm import LEAST, power_of_two_next_to
+from tribos.warp._logarithm import power_of_two_next_to
 
 # Speeds between this one and its reciprocal have squares and quotients that are normal numbers.
 LEAST_SPEED = wp.constant(1e-15)
@@ -32,26 +32,31 @@ def ordinary(motion: wp.vec3) -> wp.vec3:
 
 
 @wp.func
-def unit_round_wrench(pressure: int, motion: wp.vec3) -> wp.vec3:
-    """Force and torque over limit and radius for a motion (vx, vy, ωR); zero at rest."""
-    at = ordinary(motion)
+def round_drag(pressure: int, at: wp.vec3) -> wp.vec2:
+    """Force over velocity and torque, over limit and radius, for an ordinary motion (vx, vy, ωR)."""
     rim_sq = at[2] * at[2]
     slide_sq = at[0] * at[0] + at[1] * at[1]
     slides = rim_sq < slide_sq
     major = wp.max(slide_sq, rim_sq)
     if major == 0.0:
-        return wp.vec3(0.0, 0.0, 0.0)
+        return wp.vec2(0.0, 0.0)
     per_major = 1.0 / major
     z = 1.0
     if slide_sq > 0.0:
         z = (major - wp.min(slide_sq, rim_sq)) * per_major
     factors = force_and_torque(pressure, slides, z)
     per_speed = wp.sqrt(per_major)
-    drag = per_speed * factors[0]
-    turn = wp.sign(at[2]) * factors[1]
     if slides:
-        turn = at[2] * per_speed * factors[1]
-    return wp.vec3(-drag * at[0], -drag * at[1], -turn)
+        return wp.vec2(per_speed * factors[0], at[2] * per_speed * factors[1])
+    return wp.vec2(per_speed * factors[0], wp.sign(at[2]) * factors[1])
+
+
+@wp.func
+def unit_round_wrench(pressure: int, motion: wp.vec3) -> wp.vec3:
+    """Force and torque over limit and radius for a motion (vx, vy, ωR); zero at rest."""
+    at = ordinary(motion)
+    drag = round_drag(pressure, at)
+    return wp.vec3(-drag[0] * at[0], -drag[0] * at[1], -drag[1])
 
 
 @wp.func
@@ -109,8 +114,10 @@ def round_wrench(pressure: int, twist: wp.vec3, limit: float, radius: float) -> 
     vec3
         Force along x and y in N and torque in N m on the body; zero at rest.
     """
-    unit = unit_round_wrench(pressure, wp.vec3(twist[0], twist[1], twist[2] * radius))
-    return wp.vec3(limit * unit[0], limit * unit[1], limit * radius * unit[2])
+    at = ordinary(wp.vec3(twist[0], twist[1], twist[2] * radius))
+    drag = round_drag(pressure, at)
+    along = limit * drag[0]
+    return wp.vec3(-(along * at[0]), -(along * at[1]), -(limit * radius * drag[1]))
 
 
 @wp.func_grad(round_wrench)
@@ -133,5 +140,5 @@ def disk_wrench(twist: wp.vec3, limit: float, radius: float) -> wp.vec3:
     return round_wrench(DISK, twist, limit, radius)
 
 
-for _function in (ordinary, unit_round_wrench, unit_round_jacobian):
+for _function in (ordinary, round_drag, unit_round_wrench, unit_round_jacobian):
     _function.adj.skip_reverse_codegen = True

@@ -139,7 +139,9 @@ def solved(m: wp.mat33, right: wp.vec3) -> wp.vec3:
 
 
 @wp.func
-def goal_value(is_gauge: bool, at: wp.vec3, power: float, x: wp.vec3, metric: wp.mat33, reach: float):
+def goal_value(
+    is_gauge: bool, at: wp.vec3, power: float, x: wp.vec3, metric: wp.mat33, reach: float
+):
     if is_gauge:
         return 0.5 * power * power - wp.dot(x, at)
     return 0.5 * wp.dot(at, metric * at) + reach * power - wp.dot(x, at)
@@ -147,7 +149,13 @@ def goal_value(is_gauge: bool, at: wp.vec3, power: float, x: wp.vec3, metric: wp
 
 @wp.func
 def goal_gradient(
-    is_gauge: bool, at: wp.vec3, power: float, g: wp.vec3, x: wp.vec3, metric: wp.mat33, reach: float
+    is_gauge: bool,
+    at: wp.vec3,
+    power: float,
+    g: wp.vec3,
+    x: wp.vec3,
+    metric: wp.mat33,
+    reach: float,
 ):
     if is_gauge:
         return power * g - x
@@ -187,7 +195,7 @@ def minimised(
         descent = wp.dot(gradient, step)
         before = goal_value(is_gauge, at, size, x, metric, reach)
         slack = DONE * (1.0 + wp.abs(before))
-        factor = float(1.0)
+        factor = 1.0
         next_at = at - step
         next_power = power_at(shape, frame, arm, next_at)
         next_g = wp.vec3(next_power[0], next_power[1], next_power[2])
@@ -197,7 +205,9 @@ def minimised(
         for _ in range(HALVINGS):
             # Where rounding hides what a step gains, its slope at the end decides.
             is_level = wp.dot(found, step) >= -MOST * descent
-            if after <= before - ENOUGH * factor * descent or (after <= before + slack and is_level):
+            if after <= before - ENOUGH * factor * descent or (
+                after <= before + slack and is_level
+            ):
                 break
             factor = 0.5 * factor
             next_at = at - factor * step
@@ -227,9 +237,7 @@ def arm_of(shape: Shape, frame: wp.vec4) -> float:
 
 
 @wp.func
-def shape_motion(
-    shape: Shape, frame: wp.vec4, arm: float, x: wp.vec3, metric: wp.mat33
-) -> wp.vec4:
+def shape_motion(shape: Shape, frame: wp.vec4, arm: float, x: wp.vec3, metric: wp.mat33) -> wp.vec4:
     """The motion t with x − M t the point of the set nearest to x, and 1; or 0 where x is in the set.
 
     x and the set are in units of the force limit and the arm.
@@ -245,7 +253,7 @@ def shape_motion(
     if not size * wp.dot(unit, above) > (1.0 + COLLAR) * reached:
         return wp.vec4(0.0, 0.0, 0.0, 0.0)
     given = x
-    reach = float(1.0)
+    reach = 1.0
     if size > FAR:
         given = unit
         reach = 1.0 / size

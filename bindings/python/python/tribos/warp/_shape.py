@@ -54,9 +54,7 @@ def shape_projected_adjoint(
     point = wp.vec3(power[0], power[1], power[2])
     by_limit = (wp.dot(point, own) - wp.dot(back, x)) / limit
     by_length = -back[2] * 2.0 * length / (arm * arm) * motion[2]
-    return vec6(
-        back[0] / limit, back[1] / limit, back[2] / (limit * arm), by_limit, by_length, 0.0
-    )
+    return vec6(back[0] / limit, back[1] / limit, back[2] / (limit * arm), by_limit, by_length, 0.0)
 
 
 @wp.func
@@ -167,7 +165,7 @@ def _adj_box_planar_friction(
     step = shape_step(box_shape(a, b), frame, twist, push, limit, body)
     share = step[3]
     back = adj_ret
-    by_length = float(0.0)
+    by_length = 0.0
     if share > 0.0:
         needed = stopping_wrench(twist, push, mass, inertia, share * dt)
         length = wp.sqrt(inertia / mass)
@@ -218,11 +216,13 @@ def _adj_polygon_planar_friction(
     step = shape_step(polygon_shape(corners), frame, twist, push, limit, body)
     share = step[3]
     back = adj_ret
-    by_length = float(0.0)
+    by_length = 0.0
     if share > 0.0:
         needed = stopping_wrench(twist, push, mass, inertia, share * dt)
         length = wp.sqrt(inertia / mass)
-        found = shape_projected_adjoint(polygon_shape(corners), frame, needed, limit, length, adj_ret)
+        found = shape_projected_adjoint(
+            polygon_shape(corners), frame, needed, limit, length, adj_ret
+        )
         back = wp.vec3(found[0], found[1], found[2])
         by_length = found[4]
         wp.adjoint[limit] += found[3]
