@@ -180,7 +180,7 @@ def polygon_frame(corners: wp.array(dtype=wp.vec2)) -> wp.vec4:
     """Centroid, radius and 1/area of a polygon, the area in radii² and signed by its sense."""
     count = corners.shape[0]
     origin = corners[0]
-    area = 0.0
+    area = float(0.0)
     centre = wp.vec2(0.0, 0.0)
     for i in range(1, count - 1):
         a = corners[i] - origin
@@ -189,7 +189,7 @@ def polygon_frame(corners: wp.array(dtype=wp.vec2)) -> wp.vec4:
         area += part
         centre += part * (a + b)
     centre = origin + centre / (3.0 * area)
-    radius_sq = 0.0
+    radius_sq = float(0.0)
     for i in range(count):
         x = corners[i] - centre
         radius_sq = wp.max(radius_sq, wp.dot(x, x))

@@ -106,7 +106,7 @@ class Feet:
 def sum_loads(engine: Engine, feet: Feet):
     """Loads are the sums of the normal forces of the step before, whose contacts are still known."""
     w, k = wp.tid()
-    load = 0.0
+    load = float(0.0)
     for i in range(wp.min(feet.contacts[w, k], feet.row.shape[2])):
         load += engine.force[w, feet.row[w, k, i]]
     feet.load[w, k] = load
@@ -162,11 +162,11 @@ def patch_axes(matrix: wp.mat33, normal: wp.vec3) -> wp.mat33:
         wp.abs(wp.dot(wp.vec3(matrix[0, 1], matrix[1, 1], matrix[2, 1]), normal)),
         wp.abs(wp.dot(wp.vec3(matrix[0, 2], matrix[1, 2], matrix[2, 2]), normal)),
     )
-    following = 1
+    following = int(1)
     if along[1] > along[0] and along[1] > along[2]:
-        following = 2
+        following = int(2)
     elif along[2] >= along[0]:
-        following = 0
+        following = int(0)
     axis = wp.vec3(matrix[0, following], matrix[1, following], matrix[2, following])
     x = wp.normalize(axis - wp.dot(axis, normal) * normal)
     y = wp.cross(normal, x)

@@ -105,8 +105,8 @@ def rough_step(curve: vec9, ratio: float, given: wp.vec2, weight: float) -> floa
     x = ratio * ratio
     # m/h with its first derivative and half of its second, and what M loses of its value at the pole.
     total = curve[8]
-    slope = 0.0
-    bent = 0.0
+    slope = float(0.0)
+    bent = float(0.0)
     loss = wp.static(11.0 / 12.0) * curve[8]
     for n in range(5):
         bent = bent * x + slope
@@ -148,9 +148,9 @@ def rough_ratio(curve: vec9, given: wp.vec2, weight: float) -> float:
 def nearest_on_curve(pressure: int, slides: bool, given: wp.vec2, weight: float) -> wp.vec3:
     """h, M and m of the point of the curve nearest to the given one, (A, a), outside."""
     ratio = rough_ratio(approximation(pressure, slides), given, weight)
-    low = 0.0
-    high = 1.0
-    before = 0.0
+    low = float(0.0)
+    high = float(1.0)
+    before = float(0.0)
     for _ in range(STEPS):
         at = curve_point(pressure, slides, ratio)
         ahead = given[0] - at[0]

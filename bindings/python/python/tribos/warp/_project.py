@@ -38,7 +38,7 @@ def round_projected(
     at = round_nearest(pressure, force, torque, length / radius)
     if at[5] <= COLLAR * at[4]:
         return wrench
-    share = 0.0
+    share = float(0.0)
     if force > 0.0:
         share = at[2] / force
     turn = limit * radius * at[3]

@@ -195,7 +195,7 @@ def minimised(
         descent = wp.dot(gradient, step)
         before = goal_value(is_gauge, at, size, x, metric, reach)
         slack = DONE * (1.0 + wp.abs(before))
-        factor = 1.0
+        factor = float(1.0)
         next_at = at - step
         next_power = power_at(shape, frame, arm, next_at)
         next_g = wp.vec3(next_power[0], next_power[1], next_power[2])
@@ -253,7 +253,7 @@ def shape_motion(shape: Shape, frame: wp.vec4, arm: float, x: wp.vec3, metric: w
     if not size * wp.dot(unit, above) > (1.0 + COLLAR) * reached:
         return wp.vec4(0.0, 0.0, 0.0, 0.0)
     given = x
-    reach = 1.0
+    reach = float(1.0)
     if size > FAR:
         given = unit
         reach = 1.0 / size

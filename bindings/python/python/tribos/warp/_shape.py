@@ -165,7 +165,7 @@ def _adj_box_planar_friction(
     step = shape_step(box_shape(a, b), frame, twist, push, limit, body)
     share = step[3]
     back = adj_ret
-    by_length = 0.0
+    by_length = float(0.0)
     if share > 0.0:
         needed = stopping_wrench(twist, push, mass, inertia, share * dt)
         length = wp.sqrt(inertia / mass)
@@ -216,7 +216,7 @@ def _adj_polygon_planar_friction(
     step = shape_step(polygon_shape(corners), frame, twist, push, limit, body)
     share = step[3]
     back = adj_ret
-    by_length = 0.0
+    by_length = float(0.0)
     if share > 0.0:
         needed = stopping_wrench(twist, push, mass, inertia, share * dt)
         length = wp.sqrt(inertia / mass)

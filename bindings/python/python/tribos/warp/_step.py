@@ -169,7 +169,7 @@ def _adj_round_planar_friction(
     step = round_step(pressure, twist, push, limit, radius, body)
     share = step[3]
     back = adj_ret
-    by_length = 0.0
+    by_length = float(0.0)
     if share > 0.0:
         needed = stopping_wrench(twist, push, mass, inertia, share * dt)
         length = wp.sqrt(inertia / mass)
