@@ -24,7 +24,7 @@ PUCK = tribos.Friction(tribos.disk(RADIUS), mu=MU)
 def worlds() -> newton.Model:
     """A puck on ice in each world."""
     contact = newton.ModelBuilder.ShapeConfig(density=1000.0, mu=MU, mu_torsional=0.0)
-    one = newton.ModelBuilder()
+    one = newton.ModelBuilder(gravity=(0.0, 0.0, -GRAVITY))
     body = one.add_body(xform=wp.transform(wp.vec3(0.0, 0.0, 0.01), wp.quat_identity()))
     one.add_shape_cylinder(body, radius=RADIUS, half_height=0.01, cfg=contact, label="puck")
     many = newton.ModelBuilder(gravity=(0.0, 0.0, -GRAVITY))
