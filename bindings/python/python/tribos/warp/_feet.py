@@ -174,11 +174,13 @@ def patch_axes(matrix: wp.mat33, normal: wp.vec3) -> wp.mat33:
 
 
 @wp.func
-def turned(vector: wp.vec3, normal: wp.vec3, angle: float) -> wp.vec3:
-    """A vector turned about a normal."""
+def turned(vector: wp.vec3, normal: wp.vec3, half: float) -> wp.vec3:
+    """A vector turned about a normal by twice the angle whose tangent is given: no library's sine."""
     along = wp.dot(vector, normal) * normal
     across = vector - along
-    return along + wp.cos(angle) * across + wp.sin(angle) * wp.cross(normal, across)
+    per = 1.0 / (1.0 + half * half)
+    cos = (1.0 - half * half) * per
+    return along + cos * across + ((half + half) * per) * wp.cross(normal, across)
 
 
 @wp.func
@@ -187,12 +189,13 @@ def turn_to_half_time(engine: Engine, feet: Feet, w: int, k: int, dt: float):
     body = feet.bodies[k][0]
     axes = feet.axes[w, k]
     normal = wp.vec3(axes[2, 0], axes[2, 1], axes[2, 2])
-    angle = 0.5 * dt * wp.dot(wp.spatial_top(engine.cvel[w, body]), normal)
-    x = turned(wp.vec3(axes[0, 0], axes[0, 1], axes[0, 2]), normal, angle)
+    # Half of the angle, for its tangent.
+    half = 0.25 * dt * wp.dot(wp.spatial_top(engine.cvel[w, body]), normal)
+    x = turned(wp.vec3(axes[0, 0], axes[0, 1], axes[0, 2]), normal, half)
     y = wp.cross(normal, x)
     feet.axes[w, k] = wp.mat33(x[0], x[1], x[2], y[0], y[1], y[2], normal[0], normal[1], normal[2])
     com = engine.xipos[w, body]
-    feet.centre[w, k] = com + turned(feet.centre[w, k] - com, normal, angle)
+    feet.centre[w, k] = com + turned(feet.centre[w, k] - com, normal, half)
 
 
 @wp.func
