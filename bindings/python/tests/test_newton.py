@@ -15,7 +15,7 @@ newton = pytest.importorskip("newton")
 pytest.importorskip("mujoco_warp")
 
 wp.config.kernel_cache_dir = str(Path(tempfile.gettempdir()) / "tribos-warp-kernels")
-wp.config.quiet = True
+wp.config.log_level = wp.LOG_WARNING
 wp.config.optimization_level = 0
 
 import tribos.warp as tw  # noqa: E402

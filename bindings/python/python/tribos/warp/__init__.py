@@ -5,7 +5,7 @@ memory, and a limit (mu times load), a radius or a body may be another in each.
 
 >>> import numpy as np, tribos, warp as wp
 >>> import tribos.warp as tw
->>> wp.config.quiet = True
+>>> wp.config.log_level = wp.LOG_WARNING
 >>> @wp.kernel
 ... def slow_down(twist: wp.array(dtype=wp.vec3), load: wp.array(dtype=float),
 ...               force: wp.array(dtype=wp.vec3)):
