@@ -10,7 +10,18 @@ import pytest
 import tribos
 
 # Packages that few have, and examples do without.
-OPTIONAL = ("ase", "dask", "jax", "matplotlib", "mujoco", "pandas", "pytest", "ray", "torch")
+OPTIONAL = (
+    "ase",
+    "dask",
+    "jax",
+    "matplotlib",
+    "mujoco",
+    "pandas",
+    "pytest",
+    "ray",
+    "torch",
+    "warp",
+)
 MISSING = [package for package in OPTIONAL if importlib.util.find_spec(package) is None]
 MODULES = [
     found.name
