@@ -30,8 +30,8 @@ class Flat:
 
     Notes
     -----
-    Accuracy, of the force limit and that times the distance of the farthest corner: 1e-15 in float64, 3e-7 in float32,
-    for aspect ratios up to 10; a longer one is lost in proportion. Edges that cross and areas of zero have no friction
+    Accuracy, of the force limit and that times the distance of the farthest corner: 1e-15 in float64, 3e-7 in float32
+    up to 4:1 and 6e-7 at 10:1; of a longer patch the aspect ratio is lost. Edges that cross and areas of zero have no friction
     that is right.
     """
 
