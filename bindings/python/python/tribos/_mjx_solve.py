@@ -139,12 +139,19 @@ def solve(sets: Sets, compliance: Compliance, velocity: Any, rate: Any, start: A
     rest = _rest(sets, compliance, at_end)
     is_rest = _holds(sets, compliance, metric, rest, at_end)
     search = _Search(sets, compliance, metric, jax.lax.stop_gradient(start))
-    # Friction of the motion at half time, and of that at the end for motions that would turn about.
-    midway, missed = search.friction(rate + 2.0 / dt * velocity, is_rest)
-    turns = _turn_about(sets, compliance, midway, velocity, rate, dt) & ~is_rest
-    ended, late = search.friction(at_end, ~turns)
+
+    def searched(known: Any, per_time: Any) -> Any:
+        """Friction that ends the motion within a time; motions that turn about under that of half time remain for the end."""
+        found, missed = search.friction(rate + per_time * velocity, known)
+        turns = _turn_about(sets, compliance, found, velocity, rate, dt)
+        return known | ~turns, (found, missed)
+
+    # One search for the two, in a loop: JAX would compile it twice.
+    _, (frictions, missed) = jax.lax.scan(searched, is_rest, jnp.array([2.0, 1.0], velocity.dtype) / dt)
+    midway, ended = frictions
+    turns = _turn_about(sets, compliance, midway, velocity, rate, dt)
     gains = compliance.groups.total(_power(compliance, ended, velocity, rate, dt)) > 0.0
-    is_late = turns & ~gains
+    is_late = turns & ~gains & ~is_rest
     friction = _where(is_late, ended, midway)
     friction = _where(is_rest, rest, _without_gain(compliance, friction, velocity, rate, dt))
     # Where it stands.
@@ -152,7 +159,7 @@ def solve(sets: Sets, compliance: Compliance, velocity: Any, rate: Any, start: A
     after = velocity + dt * (rate + response)
     none = STILL[dtype] * metric.bounds * sets.limits * dt
     is_still = (_norm(after) <= none) & (jnp.abs(after[:, 2]) * sets.arms <= none)
-    is_missed = (missed & ~is_rest) | (late & is_late)
+    is_missed = ~is_rest & (missed[0] | (missed[1] & is_late))
     return Found(friction, response, (is_rest | is_still) & (sets.limits > 0.0), is_missed)
 
 
@@ -300,7 +307,8 @@ class _Search(NamedTuple):
         def search(_: Any, start: Any) -> Any:
             return self._descend(start, wanted, is_known)
 
-        return jax.lax.custom_root(excess, self.start, search, self._tangent, has_aux=True)
+        found, missed = jax.lax.custom_root(excess, self.start, search, self._tangent, has_aux=True)
+        return found, missed > 0.5
 
     def _step(self, at: Any, wanted: Any) -> Any:
         """A gradient step in the metric, brought back to the sets."""
@@ -331,7 +339,8 @@ class _Search(NamedTuple):
 
         state = (start, start, jnp.ones_like(start[:, 0]), ~is_known, 0)
         found, _, _, is_open, _ = jax.lax.while_loop(goes_on, round_, state)
-        return found, is_open
+        # Whatever comes with a root has a derivative, which truth values have not.
+        return found, is_open.astype(found.dtype)
 
     def _tangent(self, rule: Any, right: Any) -> Any:
         """Solves the linearised condition for each group: feet of other groups do not move its feet."""
