@@ -1,8 +1,7 @@
 """Friction, limit surfaces, planar steps and ways to rest in JAX programs, with derivatives.
 
-The functions take and return JAX arrays and work under ``jit``, ``vmap``, ``grad``, ``jacfwd``,
-``jacrev`` and ``scan``. The numbers come from the same compiled kernel as those of numpy arrays, by
-``jax.pure_callback``, on the processor; derivatives are the analytic ones, of first order.
+The functions take and return JAX arrays and work under ``jit``, ``vmap``, ``grad``, ``jacfwd``, ``jacrev``,
+``hessian`` and ``scan``.
 
 >>> import jax, tribos, tribos.jax
 >>> puck = tribos.Friction(tribos.disk(0.04), mu=0.3)
@@ -12,59 +11,73 @@ The functions take and return JAX arrays and work under ``jit``, ``vmap``, ``gra
 >>> print([round(float(x), 4) + 0.0 for x in slope])
 [-0.465, 0.0, -0.0044]
 
+Coefficients, sizes and loads may be arrays, one for each row, and have derivatives:
+
+>>> mu = jax.numpy.array([0.2, 0.4])
+>>> forces = tribos.jax.wrench(puck, jax.numpy.array([1.0, 0.0, 0.0]), 1.7, mu=mu, radius=0.05)
+>>> print([round(float(x), 4) for x in forces[:, 0]])
+[-0.34, -0.68]
+
 Notes
 -----
-*Precision*: the kernel computes in float64. JAX rounds arguments and results to float32 unless 64-bit
-numbers are on: ``jax.config.update("jax_enable_x64", True)`` is advised where derivatives matter.
+*Backends*: Coulomb friction of `tribos.disk`, `ring`, `punch`, `hertz`, `paraboloid`, and of `box` and
+`polygon` under uniform pressure, is made of XLA's own operations: on every device, with derivatives of
+every order. All else, and `slide`, is computed by the compiled kernel on the processor by
+``jax.pure_callback``, with first derivatives. ``backend="xla"`` refuses what would be called back,
+``"callback"`` calls back.
 
-*Static arguments*: friction, `length` and `inertia_ratio` are not arrays and have no derivatives.
-They are hashable, and may be ``static_argnums`` of ``jit``.
+*Precision*: results have the type of the twists or wrenches; all other arguments are rounded to it.
+float16 and bfloat16 are computed in float32. Unless ``jax.config.update("jax_enable_x64", True)`` is
+set, arrays of numpy in float64 become float32, as everywhere in JAX. Friction is right to 2e-15 of the
+largest force and torque in float64 (disk, punch, Hertz, paraboloid 6e-16) and 3e-7 in float32 (ring
+6e-7), Jacobians to 2e-15 and 1e-6 of their largest entry (a ring next to equal speeds 5e-14 and 2e-5).
+XLA contracts products and sums: the bits are not those of the kernel, and may differ between devices.
 
-*A coefficient or a radius for each row*: friction depends on mu and load by their product, so that
-a `Friction` with ``mu=1`` takes ``mu * load`` as its load, and has the derivative by mu. Equal shapes
-of other sizes are one patch of size 1 whose spins and torques are scaled:
+*Keywords* of all functions with a form: ``mu`` takes the place of the friction's own coefficient;
+``radius`` (round patches) and ``corners`` of shape (..., n, 2) in m (`box`, `polygon`; in either sense,
+repeated ones count once, so that unlike polygons make one array) that of the patch's. Leading axes of all
+arguments are broadcast together. The friction is hashable and may be a ``static_argnums`` of ``jit``;
+frictions of one kind share one compiled program whatever their numbers are.
 
->>> disk = tribos.Friction(tribos.disk(1.0), mu=1.0)
->>> def sized(twist, mu, radius, load):
-...     size = jax.numpy.array([1.0, 1.0, radius])
-...     return tribos.jax.wrench(disk, twist * size, mu * load) * size
->>> bool(jax.numpy.allclose(sized(jax.numpy.array([1.0, 0.0, 20.0]), 0.3, 0.04, 1.7),
-...                         puck.wrench([1.0, 0.0, 20.0], 1.7), rtol=1e-5))
-True
+*At rest* Coulomb friction jumps, and its derivative is infinite. Values and derivatives of every order of
+a row at rest are zero, so that it disturbs no other row of a batch. At exactly equal speeds of sliding
+and of a disk's rim the second derivative is infinite as a logarithm is, of a ring the first one: large
+numbers stand in for them. `planar_step` has finite derivatives everywhere, because an implicit step
+smooths the jump, and its motion after a step that ends at rest has a derivative of exactly zero; so a
+body that has come to rest passes no gradient on, which is right but may surprise an optimiser. NaN gives
+NaN in its row alone, and so does an infinite twist or wrench. Negative loads and the like are refused
+where they are numbers or arrays of numpy.
 
-*At rest* Coulomb friction jumps, and its derivative is infinite. A row whose derivative is infinite
-passes zero on, so that it disturbs no other row of a batch: gradients through a body at rest are
-zero, through `wrench` and `gauge` too. `planar_step` has finite derivatives everywhere, because an
-implicit step smooths the jump, and its motion after a step that ends at rest has a derivative of
-exactly zero; so a body that has come to rest passes no gradient on, which is right but may surprise
-an optimiser. Where slopes through rest are needed, `tribos.softened` has a law that is smooth.
+*Softening*: ``soft`` is a speed in m/s. With D the power of dry friction over ``mu * load``, a speed,
+softened friction is D/sqrt(D² + soft²) times dry friction: minus the gradient of the convex potential
+``mu * load * (sqrt(D² + soft²) - soft)``, which `support` then is, on every patch. At rest its Jacobian is
+-mu load/soft diag(1, 1, T²) about the centre of pressure, T the torque of spinning over mu load in m (2/3
+of the radius of a disk), and its second derivatives are 0. Nothing sticks then: a body that is pushed
+creeps.
 
-*Cost*: a callback costs 0.1 to 0.3 ms a call, whatever it computes; per item the kernel's time and
-that of three copies. Many items a call cost little more than those of numpy arrays. The first call
-with a friction and with shapes takes tens of milliseconds, in which JAX compiles it; a derivative
-outside of ``jit`` takes some milliseconds in every call.
+*Cost*: a call outside of ``jit`` takes some 10 µs, and 0.1 to 1 s for the first one with a kind of patch
+and shapes, in which XLA compiles it. A callback costs 0.1 to 0.3 ms a call, whatever it computes. Under
+``scan`` reverse mode is quicker with ``jax.checkpoint`` of the step.
 """
 
 from __future__ import annotations
 
-from functools import partial
 from typing import Any, NamedTuple
 
-import jax
 import jax.numpy as jnp
-import numpy as np
-from jax.custom_derivatives import SymbolicZero
 
-from tribos import _gradients
+from tribos import _gradients, _jax_callback, _jax_native
 from tribos._checks import positive
 from tribos._friction import Friction
-from tribos._gradients import Operation, finite_derivatives, length_of
+from tribos._gradients import length_of
+from tribos._jax_arguments import Call
 from tribos._planar import Step
 
 __all__ = [
     "Slide",
     "Step",
     "gauge",
+    "jacobian",
     "normal",
     "planar_step",
     "project",
@@ -85,7 +98,17 @@ class Slide(NamedTuple):
     """Angle turned, in rad, with the sign of the spin."""
 
 
-def wrench(friction: Friction, twists: Any, load: Any) -> Any:
+def wrench(
+    friction: Friction,
+    twists: Any,
+    load: Any,
+    *,
+    mu: Any = None,
+    radius: Any = None,
+    corners: Any = None,
+    soft: Any = None,
+    backend: str = "auto",
+) -> Any:
     """Force and torque on the body, as `tribos.Friction.wrench`.
 
     Parameters
@@ -96,13 +119,78 @@ def wrench(friction: Friction, twists: Any, load: Any) -> Any:
         Velocities in m/s and spins in rad/s, of shape (..., 3).
     load
         Normal force in N, at least 0, broadcast with the leading axes of the twists.
+    mu, radius, corners
+        In the place of the friction's own: see the notes on keywords.
+    soft
+        A speed in m/s; None for dry friction: see the notes on softening.
+    backend
+        ``"auto"``, ``"xla"`` or ``"callback"``.
+
+    Examples
+    --------
+    Softened friction is proportional to slow motions.
+
+    >>> import jax, tribos, tribos.jax
+    >>> puck = tribos.Friction(tribos.disk(0.04), mu=0.3)
+    >>> slow = jax.numpy.array([1e-5, 0.0, 0.0])
+    >>> print(f"{tribos.jax.wrench(puck, slow, 1.7, soft=1e-3)[0]:.5f}")
+    -0.00510
     """
-    (made,) = _apply(_gradients.Wrench(friction), twists, load)
-    return made
+    sizes = {"mu": mu, "radius": radius, "corners": corners, "soft": soft}
+    call = Call("wrench", friction, twists, backend=backend, **sizes)
+    rows, load = call.rows("twists", twists), call.number("load", load)
+    if call.kind is None:
+        operation = _gradients.Wrench(call.friction)
+        return call.own(_jax_callback.applied(operation, rows, call.under(load))[0])
+    return call.own(_jax_native.wrench(call.kind, call.size, rows, call.mu, load, call.soft))
 
 
-def support(friction: Friction, twists: Any, load: Any) -> Any:
+def jacobian(
+    friction: Friction,
+    twists: Any,
+    load: Any,
+    *,
+    mu: Any = None,
+    radius: Any = None,
+    corners: Any = None,
+    soft: Any = None,
+    backend: str = "auto",
+) -> Any:
+    """Derivatives of `wrench` by the twist, of shape (..., 3, 3), symmetric; 0 at rest without softening.
+
+    The same as ``jax.jacfwd`` of `wrench` for each row, in one evaluation. Arguments as of `wrench`.
+
+    Examples
+    --------
+    >>> import jax, tribos, tribos.jax
+    >>> puck = tribos.Friction(tribos.disk(0.04), mu=0.3)
+    >>> at_rest = tribos.jax.jacobian(puck, jax.numpy.zeros(3), 1.7, soft=1e-3)
+    >>> print([round(float(x), 4) for x in at_rest.diagonal()])       # -510 (1, 1, (2/3 0.04 m)²)
+    [-510.0, -510.0, -0.3627]
+    """
+    sizes = {"mu": mu, "radius": radius, "corners": corners, "soft": soft}
+    call = Call("jacobian", friction, twists, backend=backend, **sizes)
+    rows, load = call.rows("twists", twists), call.number("load", load)
+    if call.kind is None:
+        operation = _gradients.Wrench(call.friction)
+        return call.own(_jax_callback.slope(operation, rows, call.under(load)))
+    return call.own(_jax_native.jacobian(call.kind, call.size, rows, call.mu, load, call.soft))
+
+
+def support(
+    friction: Friction,
+    twists: Any,
+    load: Any,
+    *,
+    mu: Any = None,
+    radius: Any = None,
+    corners: Any = None,
+    soft: Any = None,
+    backend: str = "auto",
+) -> Any:
     """What dry friction dissipates at each twist, in W, as `tribos.LimitSurface.support`.
+
+    Arguments as of `wrench`; with `soft` the potential of softened friction.
 
     Examples
     --------
@@ -117,26 +205,68 @@ def support(friction: Friction, twists: Any, load: Any) -> Any:
     >>> print(-box.wrench(twist, 20.0).round(3))
     [3.595 6.721 0.163]
     """
-    (made,) = _apply(_gradients.Support(friction), twists, load)
-    return made
+    sizes = {"mu": mu, "radius": radius, "corners": corners, "soft": soft}
+    call = Call("support", friction, twists, backend=backend, **sizes)
+    rows, load = call.rows("twists", twists), call.number("load", load)
+    if call.kind is None:
+        operation = _gradients.Support(call.friction)
+        return call.own(_jax_callback.applied(operation, rows, call.under(load))[0])
+    return call.own(_jax_native.support(call.kind, call.size, rows, call.mu, load, call.soft))
 
 
-def gauge(friction: Friction, wrenches: Any, load: Any) -> Any:
+def gauge(
+    friction: Friction,
+    wrenches: Any,
+    load: Any,
+    *,
+    mu: Any = None,
+    radius: Any = None,
+    corners: Any = None,
+    backend: str = "auto",
+) -> Any:
     """The least factor by which the limit surface must grow, as `tribos.LimitSurface.gauge`.
 
-    It has a kink at the zero wrench, and zero as the derivative there.
+    It has a kink at the zero wrench, and zero as the derivative there. Keywords as of `wrench`.
     """
-    (made,) = _apply(_gradients.Gauge(friction), wrenches, load)
-    return made
+    sizes = {"mu": mu, "radius": radius, "corners": corners}
+    call = Call("gauge", friction, wrenches, backend=backend, **sizes)
+    rows, load = call.rows("wrenches", wrenches), call.number("load", load)
+    if call.kind is None:
+        operation = _gradients.Gauge(call.friction)
+        return call.own(_jax_callback.applied(operation, rows, call.under(load))[0])
+    return call.own(_jax_native.gauge(call.kind, call.size, rows, call.mu, load))
 
 
-def normal(friction: Friction, wrenches: Any) -> Any:
-    """The motion that each push causes, as `tribos.LimitSurface.normal`; the load has no effect."""
-    (made,) = _apply(_gradients.Normal(friction), wrenches)
-    return made
+def normal(
+    friction: Friction,
+    wrenches: Any,
+    *,
+    radius: Any = None,
+    corners: Any = None,
+    backend: str = "auto",
+) -> Any:
+    """The motion that each push causes, as `tribos.LimitSurface.normal`; mu and load have no effect.
+
+    Keywords as of `wrench`.
+    """
+    call = Call("normal", friction, wrenches, radius=radius, corners=corners, backend=backend)
+    rows = call.rows("wrenches", wrenches)
+    if call.kind is None:
+        return call.own(_jax_callback.applied(_gradients.Normal(friction), rows)[0])
+    return call.own(_jax_native.normal(call.kind, call.size, rows))
 
 
-def project(friction: Friction, wrenches: Any, load: Any, *, length: float | None = None) -> Any:
+def project(
+    friction: Friction,
+    wrenches: Any,
+    load: Any,
+    *,
+    length: Any = None,
+    mu: Any = None,
+    radius: Any = None,
+    corners: Any = None,
+    backend: str = "auto",
+) -> Any:
     """The nearest wrench that friction carries, as `tribos.LimitSurface.project`.
 
     Parameters
@@ -148,10 +278,25 @@ def project(friction: Friction, wrenches: Any, load: Any, *, length: float | Non
     load
         Normal force in N, at least 0.
     length
-        What makes a force of a torque, in m; None for the patch's radius.
+        What makes a force of a torque, in m; None for the patch's radius. An array of its own where the
+        patch has a form.
+    mu, radius, corners, backend
+        As of `wrench`.
+
+    Notes
+    -----
+    Differentiable in all arguments but the friction, to every order. Wrenches within 64 rounding errors of
+    the limit surface stay as they are.
     """
-    (made,) = _apply(_gradients.Project(friction, length_of(friction, length)), wrenches, load)
-    return made
+    sizes = {"mu": mu, "radius": radius, "corners": corners}
+    call = Call("project", friction, wrenches, backend=backend, **sizes)
+    rows, load = call.rows("wrenches", wrenches), call.number("load", load)
+    if call.kind is None:
+        operation = _gradients.Project(call.friction, length_of(call.friction, length))
+        return call.own(_jax_callback.applied(operation, rows, call.under(load))[0])
+    if length is not None:
+        length = call.number("length", length, above=True)
+    return call.own(_jax_native.project(call.kind, call.size, rows, call.mu, load, length))
 
 
 def planar_step(
@@ -164,10 +309,15 @@ def planar_step(
     inertia: Any,
     dt: Any,
     angle: Any = None,
+    mu: Any = None,
+    radius: Any = None,
+    corners: Any = None,
+    backend: str = "auto",
 ) -> Step:
     """The implicit step of `tribos.PlanarBody`.
 
-    Differentiable in all but the friction, at rest too; see `tribos.planar_step_jacobian`.
+    Differentiable in all but the friction, at rest too, where the patch has a form to every order; see
+    `tribos.planar_step_jacobian`.
 
     Parameters
     ----------
@@ -181,6 +331,8 @@ def planar_step(
         In kg, kg m² and s.
     angle
         Angle in rad by which the patch is turned against the axes of twists and pushes; None for 0.
+    mu, radius, corners, backend
+        As of `wrench`.
 
     Examples
     --------
@@ -199,18 +351,30 @@ def planar_step(
     >>> print(f"{jax.jit(distance)(0.17):.3f}", bool(abs(jax.grad(distance)(0.17)) < 1e-5))
     0.199 True
     """
-    operation = _gradients.PlanarStep(friction)
-    if angle is None:
-        after, mean, rest = _apply(operation, twists, pushes, load, mass, inertia, dt)
-        return Step(after, mean, rest > 0.5)
-    to_patch = (_turned(twists, angle, -1.0), _turned(pushes, angle, -1.0))
-    after, mean, rest = _apply(operation, *to_patch, load, mass, inertia, dt)
-    return Step(_turned(after, angle, 1.0), _turned(mean, angle, 1.0), rest > 0.5)
+    sizes = {"mu": mu, "radius": radius, "corners": corners}
+    call = Call("planar_step", friction, twists, backend=backend, **sizes)
+    rows = [call.rows("twists", twists), call.rows("pushes", pushes)]
+    load = call.number("load", load)
+    given = {"mass": mass, "inertia": inertia, "dt": dt}
+    body = [call.number(key, x, above=True) for key, x in given.items()]
+    if angle is not None:
+        angle = jnp.asarray(angle, call.type)
+        call.meet("angle", angle.shape)
+        rows = [_turned(row, angle, -1.0) for row in rows]
+    if call.kind is None:
+        operation = _gradients.PlanarStep(call.friction)
+        made = _jax_callback.applied(operation, *rows, call.under(load), *body)
+        after, mean, rest = made[0], made[1], made[2] > 0.5
+    else:
+        given = (*rows, call.mu, load, *body)
+        after, mean, rest = _jax_native.planar_step(call.kind, call.size, *given)
+    if angle is not None:
+        after, mean = (_turned(row, angle, 1.0) for row in (after, mean))
+    return Step(call.own(after), call.own(mean), rest)
 
 
 def _turned(rows: Any, angle: Any, sense: float) -> Any:
     """Rows with their first two components turned about the normal."""
-    rows, angle = jnp.asarray(rows), jnp.asarray(angle)
     cos, sin = jnp.cos(angle), sense * jnp.sin(angle)
     x, y = rows[..., 0], rows[..., 1]
     parts = (cos * x - sin * y, sin * x + cos * y, rows[..., 2] + 0.0 * cos)
@@ -240,104 +404,10 @@ def slide(
     0.2166 0.00789
     """
     operation = _gradients.Slide(friction, positive("inertia_ratio", inertia_ratio))
-    return Slide(*_apply(operation, speed, spin, gravity, operation.own(radius)))
-
-
-def _apply(operation: Operation, *given: Any) -> tuple[Any, ...]:
-    """The operation on arrays whose leading axes have one rank and whose type is one."""
     # Numbers of Python take the type of the arrays.
-    typed = [x if isinstance(x, (bool, int, float)) else jnp.asarray(x) for x in given]
-    dtype = jnp.result_type(float, *typed)
-    arrays = [jnp.asarray(x, dtype) for x in typed]
-    for array, row in zip(arrays, operation.inputs, strict=True):
-        if row and array.shape[-1:] != (row,):
-            raise ValueError(f"twists and wrenches must have shape (..., {row}), not {array.shape}")
-    ranks = [array.ndim - (row > 0) for array, row in zip(arrays, operation.inputs, strict=True)]
-    missing = [(1,) * (max(ranks) - rank) for rank in ranks]
-    aligned = [
-        array.reshape(more + array.shape) for array, more in zip(arrays, missing, strict=True)
+    given = [
+        x if isinstance(x, (bool, int, float)) else jnp.asarray(x)
+        for x in (speed, spin, gravity, operation.own(radius))
     ]
-    made: tuple[Any, ...] = _compiled(operation, *aligned)
-    return made
-
-
-def _axes(operation: Operation, given: tuple[Any, ...]) -> tuple[int, ...]:
-    """The leading axes of arguments together."""
-    rows = zip(given, operation.inputs, strict=True)
-    return np.broadcast_shapes(*(array.shape[:-1] if row else array.shape for array, row in rows))
-
-
-def _called(
-    operation: Operation, of: Any, rows: list[tuple[int, ...]], given: tuple[Any, ...]
-) -> tuple[Any, ...]:
-    """What a function of numpy arrays makes, in the arguments' type and over all their leading axes."""
-    dtype = given[0].dtype
-
-    def call(*arrays: Any) -> tuple[Any, ...]:
-        numbers = [np.asarray(array) for array in arrays]
-        axes = _axes(operation, tuple(numbers))
-        made = zip(of(*numbers), rows, strict=True)
-        return tuple(np.broadcast_to(np.asarray(one, dtype), axes + row) for one, row in made)
-
-    axes = _axes(operation, given)
-    results = tuple(
-        jax.ShapeDtypeStruct(axes + row, dtype)  # type: ignore[no-untyped-call, unused-ignore]
-        for row in rows
-    )
-    made: tuple[Any, ...] = jax.pure_callback(call, results, *given, vmap_method="expand_dims")
-    return made
-
-
-@partial(jax.custom_jvp, nondiff_argnums=(0,))
-def _operate(operation: Operation, *given: Any) -> tuple[Any, ...]:
-    rows = [(row,) * (row > 0) for row in operation.outputs]
-    return _called(operation, operation.value, rows, given)
-
-
-@partial(jax.custom_jvp, nondiff_argnums=(0, 1))
-def _slopes(
-    operation: Operation, pairs: tuple[tuple[int, int], ...], *given: Any
-) -> tuple[Any, ...]:
-    """The outputs, and derivatives of pairs of an output and an input."""
-
-    def every(*arrays: Any) -> list[Any]:
-        values, by = finite_derivatives(operation, *arrays)
-        return [*values, *(by[output][at] for output, at in pairs)]
-
-    rows = [(row,) * (row > 0) for row in operation.outputs]
-    for output, at in pairs:
-        rows.append(tuple(n for n in (operation.outputs[output], operation.inputs[at]) if n))
-    return _called(operation, every, rows, given)
-
-
-def _refuse(*_: Any) -> Any:
-    raise NotImplementedError(
-        "tribos.jax has first derivatives only: difference them for second ones, "
-        "or take jax.lax.stop_gradient of the inner one"
-    )
-
-
-_slopes.defjvp(_refuse)
-
-
-def _rule(
-    operation: Operation, given: tuple[Any, ...], tangents: tuple[Any, ...]
-) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
-    """Values, and the derivatives in a direction: linear in it, so that reverse mode transposes them."""
-    moving = [at for at, tangent in enumerate(tangents) if not isinstance(tangent, SymbolicZero)]
-    pairs = [(output, at) for output in operation.smooth for at in moving]
-    found = _slopes(operation, tuple(pairs), *given)
-    count = len(operation.outputs)
-    values = found[:count]
-    rates = [jnp.zeros_like(value) for value in values]
-    for (output, at), matrix in zip(pairs, found[count:], strict=True):
-        i, j = "i" if operation.outputs[output] else "", "j" if operation.inputs[at] else ""
-        rates[output] = rates[output] + jnp.einsum(
-            f"...{i}{j},...{j}->...{i}", matrix, tangents[at]
-        )
-    return tuple(values), tuple(rates)
-
-
-_operate.defjvp(_rule, symbolic_zeros=True)
-# Without it every call outside of a compiled function would compile its callback anew.
-_compiled = jax.jit(_operate, static_argnums=0)
+    dtype = jnp.result_type(float, *given)
+    return Slide(*_jax_callback.applied(operation, *(jnp.asarray(x, dtype) for x in given)))
