@@ -37,6 +37,10 @@ class Sets(Protocol):
         """The friction nearest to wrenches (n, 3), where torques are divided by lengths (n,); the same bits if it is one."""
 
     @property
+    def lengths(self) -> Any:
+        """The only lengths (n,) with which `nearest` can be asked, NaN where any will do."""
+
+    @property
     def limits(self) -> Any:
         """Force limits (n,), in N."""
 
@@ -133,7 +137,7 @@ def solve(sets: Sets, compliance: Compliance, velocity: Any, rate: Any, start: A
     """
     dtype = str(velocity.dtype)
     compliance = _floored(compliance, sets.arms, FLOOR[dtype])
-    metric = jax.tree.map(jax.lax.stop_gradient, _metric(compliance))
+    metric = jax.tree.map(jax.lax.stop_gradient, _metric(compliance, sets.lengths))
     # Friction that ends the step at rest.
     at_end = rate + velocity / dt
     rest = _rest(sets, compliance, at_end)
@@ -188,11 +192,12 @@ def _floored(compliance: Compliance, arms: Any, share: float) -> Compliance:
     return Compliance(compliance.groups, tuple(blocks))
 
 
-def _metric(compliance: Compliance) -> Metric:
+def _metric(compliance: Compliance, fixed: Any) -> Metric:
     own = compliance.own()
     xx, yy, xy = own[:, 0, 0], own[:, 1, 1], own[:, 0, 1]
     largest = 0.5 * (xx + yy) + jnp.sqrt((0.5 * (xx - yy)) ** 2 + xy * xy)
-    lengths = jnp.sqrt(largest / own[:, 2, 2])
+    lengths = jnp.where(np.isnan(fixed), jnp.sqrt(largest / own[:, 2, 2]), np.nan_to_num(fixed))
+    lengths = lengths.astype(own.dtype)
     one = jnp.ones_like(lengths)
     scale = jnp.stack([one, one, lengths], axis=-1)
     least, most = _eigenvalues(own * scale[:, :, None] * scale[:, None, :])

@@ -63,8 +63,9 @@ from mujoco import mjx
 from numpy.typing import NDArray
 
 import tribos.jax
-from tribos import _mjx_model, _mjx_place, _mjx_solve
+from tribos import _jax_native, _mjx_model, _mjx_place, _mjx_solve
 from tribos._friction import Friction
+from tribos._gradients import length_of
 from tribos._mjx_model import Name
 
 __all__ = ["Feet", "FootState", "apply", "feet", "step"]
@@ -100,16 +101,10 @@ class Feet:
         self._links = _mjx_model.link(model, given)
         self._names = tuple(foot.name for foot in given)
         self._mus = np.array([foot.friction.mu for foot in given])
-        # Feet of equal patches are computed together.
-        patches: dict[Any, list[int]] = {}
-        for at, foot in enumerate(given):
-            patches.setdefault(foot.friction.patch, []).append(at)
-        self._patches = [
-            (Friction(patch, mu=1.0), np.array(members)) for patch, members in patches.items()
-        ]
+        self._patches = _alike([foot.friction for foot in given])
         arms = np.zeros(len(given))
-        for friction, members in self._patches:
-            arms[members] = abs(friction.wrench([0.0, 0.0, 1.0], 1.0)[2])
+        for at, foot in enumerate(given):
+            arms[at] = abs(Friction(foot.friction.patch, mu=1.0).wrench([0.0, 0.0, 1.0], 1.0)[2])
         self._arms = arms
         self._size = int(model.nv)
 
@@ -280,11 +275,41 @@ def _rows(feet: Feet, d: Any) -> Any:
     return d.plugin_state.reshape(*d.plugin_state.shape[:-1], count, SIZE)
 
 
+class _Alike(NamedTuple):
+    """Feet whose patches are computed together."""
+
+    friction: Friction
+    """Of one of them, with the coefficient 1."""
+    members: NDArray[np.int64]
+    """Indices of the feet."""
+    sizes: Mapping[str, NDArray[np.float64]]
+    """Their radii or corners; none where the kernel is called back."""
+
+
+def _alike(frictions: Sequence[Friction]) -> list[_Alike]:
+    """Feet by the kinds of their patches."""
+    kinds: dict[Any, list[int]] = {}
+    for at, friction in enumerate(frictions):
+        kinds.setdefault(_jax_native.kind_of(friction) or friction.patch, []).append(at)
+    made = []
+    for kind, members in kinds.items():
+        unit = Friction(frictions[members[0]].patch, mu=1.0)
+        sizes: dict[str, Any] = {}
+        if kind == _jax_native.FLAT:
+            corners = [list(_jax_native.size_of(frictions[at])) for at in members]
+            most = max(map(len, corners))
+            # Repeated corners count once.
+            sizes["corners"] = np.array([one + one[-1:] * (most - len(one)) for one in corners])
+        elif isinstance(kind, str):
+            sizes["radius"] = np.array([_jax_native.size_of(frictions[at]) for at in members])
+        made.append(_Alike(unit, np.array(members), sizes))
+    return made
+
+
 class _Sets(NamedTuple):
     """The friction that each foot can carry."""
 
-    patches: Sequence[tuple[Friction, NDArray[np.int64]]]
-    order: NDArray[np.int64]
+    patches: Sequence[_Alike]
     limits: Any
     arms: Any
     radius: Any
@@ -296,20 +321,30 @@ class _Sets(NamedTuple):
         arms = jnp.asarray(feet._arms, dtype)
         if radius is not None:
             radius = jnp.broadcast_to(jnp.asarray(radius, dtype), (count,))
-            own = np.concatenate([np.full(at.size, one.patch.radius) for one, at in feet._patches])
-            order = np.concatenate([at for _, at in feet._patches])
-            arms = arms * radius / own[np.argsort(order)]
-        order = np.argsort(np.concatenate([members for _, members in feet._patches]))
+            for one in feet._patches:
+                if "radius" in one.sizes:
+                    share = radius[one.members] / one.sizes["radius"]
+                    arms = arms.at[one.members].multiply(jax.lax.stop_gradient(share))
         limits = jnp.where(touch.is_touching, given * touch.load, 0.0)
-        return cls(feet._patches, order, limits, jax.lax.stop_gradient(arms), radius)
+        return cls(feet._patches, limits, arms, radius)
+
+    @property
+    def lengths(self) -> Any:
+        """Lengths that the kernel takes, which are constants of its calls; NaN where any length will do."""
+        made = np.full(len(self.arms), np.nan)
+        for one in self.patches:
+            if not one.sizes:
+                made[one.members] = length_of(one.friction, None)
+        return made
 
     def nearest(self, wrenches: Any, lengths: Any) -> Any:
         made = []
-        for friction, at in self.patches:
-            sized = {} if self.radius is None else {"radius": self.radius[at]}
-            made.append(
-                tribos.jax.project(
-                    friction, wrenches[at], self.limits[at], length=lengths[at], **sized
-                )
-            )
-        return jnp.concatenate(made)[self.order]
+        for friction, at, sizes in self.patches:
+            given: dict[str, Any] = dict(sizes, length=lengths[at]) if sizes else {}
+            if self.radius is not None and "radius" in sizes:
+                given["radius"] = self.radius[at]
+            made.append(tribos.jax.project(friction, wrenches[at], self.limits[at], **given))
+        if len(made) == 1:
+            return made[0]
+        order = np.argsort(np.concatenate([one.members for one in self.patches]))
+        return jnp.concatenate(made)[order]
