@@ -176,10 +176,10 @@ def _solved(
     is_smooth = pressure.order >= 0.0
     # A step leaves about its square, and a free one follows; the slope of a thin edge has no bound.
     short = SHARE * epsilon**0.25 if is_smooth else SETTLED * epsilon
-    # The stand-in is as good as half of the digits of f32.
-    good = STAND_IN if is_smooth and epsilon > 1e-10 else 0.0
     none = 0.0 * ratio
-    step = space.where(space.abs(step) <= good, none, none + 1.0)
+    # The stand-in is as good as half of the digits of f32; a step of 0 may be one that was refused.
+    is_near = (space.abs(step) <= STAND_IN) & (step != 0.0) & (is_smooth and epsilon > 1e-10)
+    step = space.where(is_near, none, none + 1.0)
     state = space.apart((ratio, none, none + 1.0, step))
     state = space.loop(bracketed, state, MAX_STEPS, lambda now: ~(space.abs(now[3]) > short))
     ratio = space.apart(state[0])

@@ -17,6 +17,7 @@ from the ends of q, ξ q and ξ² q. Nothing is divided by a speed or a spin her
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from tribos._forms.moving_edge import LEAST_GAP, Motion, MovingEdge
@@ -29,7 +30,7 @@ def friction_rates(
     edge: MovingEdge,
     made: Motion,
     corners: tuple[Any, Any, Any],
-    rates: tuple[Any, Any],
+    rates: Sequence[Any],
 ) -> tuple[Any, Any, Any]:
     """Rates of the reduced friction `made` under a motion of length 1.
 
