@@ -71,6 +71,12 @@ class Groups(NamedTuple):
         return self.join([jnp.broadcast_to(m, c.shape) for m, c in zip(made, self.classes, strict=True)])
 
 
+    def any(self, mask: Any) -> Any:
+        """Whether something is true of any foot of each group, at each of its feet."""
+        made = [mask[one].any(axis=1, keepdims=True) for one in self.classes]
+        return self.join([jnp.broadcast_to(m, c.shape) for m, c in zip(made, self.classes, strict=True)])
+
+
 class Found(NamedTuple):
     """Friction of a step."""
 
@@ -141,30 +147,41 @@ def solve(sets: Sets, compliance: Compliance, velocity: Any, rate: Any, start: A
     # Friction that ends the step at rest.
     at_end = rate + velocity / dt
     rest = _rest(sets, compliance, at_end)
-    is_rest = _holds(sets, compliance, metric, rest, at_end)
-    search = _Search(sets, compliance, metric, jax.lax.stop_gradient(start))
+    is_still = _stills(sets, compliance, metric, rest, at_end)
+    first, start = jax.lax.stop_gradient((rest, start))
+    search = _Search(sets, compliance, metric)
 
-    def searched(known: Any, per_time: Any) -> Any:
-        """Friction that ends the motion within a time; motions that turn about under that of half time remain for the end."""
-        found, missed = search.friction(rate + per_time * velocity, known)
-        turns = _turn_about(sets, compliance, found, velocity, rate, dt)
-        return known | ~turns, (found, missed)
+    def searched(state: Any, task: _Task) -> Any:
+        at, known = state
+        found, missed = search.friction(at, rate + task.per_time * velocity, known, task)
+        # First whether feet can carry what brings them to rest; then friction of the motion at half time; then that of its end,
+        # for motions that would turn about.
+        holds = is_still & ~compliance.groups.any((found != first).any(axis=-1))
+        goes_on = _turns_about(sets, compliance, found, velocity, rate, dt)
+        known = jnp.where(task.share > 0.0, known | ~goes_on, holds)
+        return (start, known), (found, missed, known)
 
-    # One search for the two, in a loop: JAX would compile it twice.
-    _, (frictions, missed) = jax.lax.scan(searched, is_rest, jnp.array([2.0, 1.0], velocity.dtype) / dt)
-    midway, ended = frictions
-    turns = _turn_about(sets, compliance, midway, velocity, rate, dt)
+    # One search for all three, in a loop: JAX would compile it as often as it stands in the text.
+    tasks = _Task(
+        per_time=jnp.array([1.0, 2.0, 1.0], velocity.dtype) / dt,
+        share=jnp.array([0.0, 1.0, 1.0], velocity.dtype),
+        rounds=jnp.array([1, ROUNDS, ROUNDS]),
+    )
+    nothing = jnp.zeros(start.shape[0], bool)
+    _, (frictions, missed, known) = jax.lax.scan(searched, (first, nothing), tasks)
+    midway, ended = frictions[1], frictions[2]
+    is_rest = known[0]
     gains = compliance.groups.total(_power(compliance, ended, velocity, rate, dt)) > 0.0
-    is_late = turns & ~gains & ~is_rest
+    is_late = ~known[1] & ~gains
     friction = _where(is_late, ended, midway)
     friction = _where(is_rest, rest, _without_gain(compliance, friction, velocity, rate, dt))
     # Where it stands.
     response = compliance.times(friction)
     after = velocity + dt * (rate + response)
     none = STILL[dtype] * metric.bounds * sets.limits * dt
-    is_still = (_norm(after) <= none) & (jnp.abs(after[:, 2]) * sets.arms <= none)
-    is_missed = ~is_rest & (missed[0] | (missed[1] & is_late))
-    return Found(friction, response, (is_rest | is_still) & (sets.limits > 0.0), is_missed)
+    is_slow = (_norm(after) <= none) & (jnp.abs(after[:, 2]) * sets.arms <= none)
+    is_missed = ~is_rest & (missed[1] | (missed[2] & is_late))
+    return Found(friction, response, (is_rest | is_slow) & (sets.limits > 0.0), is_missed)
 
 
 def _where(mask: Any, a: Any, b: Any) -> Any:
@@ -277,8 +294,8 @@ def _least(block: Any, unit: Any, right: Any) -> Any:
     return found * unit
 
 
-def _holds(sets: Sets, compliance: Compliance, metric: Metric, friction: Any, wanted: Any) -> Any:
-    """Whether friction brings all feet of a group to rest, and each carries it."""
+def _stills(sets: Sets, compliance: Compliance, metric: Metric, friction: Any, wanted: Any) -> Any:
+    """Whether friction brings all feet of a group to rest."""
     still = STILL[str(friction.dtype)]
     friction, wanted = jax.lax.stop_gradient((friction, wanted))
     limits = jax.lax.stop_gradient(sets.limits)
@@ -289,9 +306,20 @@ def _holds(sets: Sets, compliance: Compliance, metric: Metric, friction: Any, wa
     scaled = left * units / jnp.where(limits > 0.0, limits, 1.0)[:, None]
     is_left = jnp.maximum(_norm(scaled), jnp.abs(scaled[:, 2])) > GIVE * full
     is_moved = jnp.maximum(_norm(moved), jnp.abs(moved[:, 2])) > still * (full * limits) ** 2 / jnp.where(limits > 0.0, limits, 1.0)
-    is_beyond = (jax.lax.stop_gradient(sets.nearest(friction, metric.lengths)) != friction).any(axis=-1)
-    fails = is_beyond | ((is_left | is_moved) & (limits > 0.0))
-    return compliance.groups.total(fails.astype(friction.dtype)) == 0.0
+    # What has no load has no friction either.
+    is_beyond = (limits == 0.0) & (friction != 0.0).any(axis=-1)
+    return ~compliance.groups.any(is_beyond | ((is_left | is_moved) & (limits > 0.0)))
+
+
+class _Task(NamedTuple):
+    """What a search is for."""
+
+    per_time: Any
+    """Motions are to end after the inverse of this time."""
+    share: Any
+    """1; 0 where friction is brought to the sets as it is."""
+    rounds: Any
+    """Rounds, at most."""
 
 
 class _Search(NamedTuple):
@@ -300,47 +328,47 @@ class _Search(NamedTuple):
     sets: Sets
     compliance: Compliance
     metric: Metric
-    start: Any
 
-    def friction(self, wanted: Any, is_known: Any) -> tuple[Any, Any]:
-        """Friction in the sets with the least energy, where the acceleration to take is `wanted`; and whether a search ended at its
-        count. Groups that are known are left out."""
+    def friction(self, start: Any, wanted: Any, is_known: Any, task: _Task) -> tuple[Any, Any]:
+        """Friction in the sets with the least energy, where the acceleration to take is `wanted`; and whether the search ended at
+        its count. Groups that are known are left out."""
 
         def excess(friction: Any) -> Any:
-            return friction - self._step(friction, wanted)
+            return friction - self._step(friction, wanted, task)
 
         def search(_: Any, start: Any) -> Any:
-            return self._descend(start, wanted, is_known)
+            return self._descend(start, wanted, is_known, task)
 
-        found, missed = jax.lax.custom_root(excess, self.start, search, self._tangent, has_aux=True)
+        found, missed = jax.lax.custom_root(excess, start, search, self._tangent, has_aux=True)
         return found, missed > 0.5
 
-    def _step(self, at: Any, wanted: Any) -> Any:
+    def _step(self, at: Any, wanted: Any, task: _Task) -> Any:
         """A gradient step in the metric, brought back to the sets."""
-        motion = wanted + self.compliance.times(at)
+        motion = task.share * (wanted + self.compliance.times(at))
         return self.sets.nearest(at - motion * self.metric.rates, self.metric.lengths)
 
-    def _descend(self, start: Any, wanted: Any, is_known: Any) -> tuple[Any, Any]:
+    def _descend(self, start: Any, wanted: Any, is_known: Any, task: _Task) -> tuple[Any, Any]:
         groups, metric = self.compliance.groups, self.metric
         largest = jnp.maximum(self.sets.limits.max(), jnp.finfo(wanted.dtype).tiny)
         tolerance = TOLERANCE[str(wanted.dtype)] * largest
 
         def goes_on(state: Any) -> Any:
             _, _, _, is_open, count = state
-            return is_open.any() & (count < ROUNDS)
+            return is_open.any() & (count < task.rounds)
 
         def round_(state: Any) -> Any:
             at, ahead, weight, is_open, count = state
-            found = self._step(ahead, wanted)
+            found = self._step(ahead, wanted, task)
             change = _where(is_open, found - at, 0.0)
-            found = at + change
             uphill = groups.total(((ahead - found) * change / metric.rates).sum(axis=-1)) > 0.0
+            found = _where(is_open, found, at)
             # Weights of Nesterov, anew where they lead uphill (O'Donoghue and Candès, Found. Comput. Math. 15 (2015) 715).
             grown = 0.5 * (1.0 + jnp.sqrt(1.0 + 4.0 * weight * weight))
             momentum = jnp.where(uphill, 0.0, (weight - 1.0) / grown)
-            moved = jnp.maximum(_norm(change), jnp.abs(change[:, 2]) / metric.lengths) * metric.left
-            is_open = groups.total((moved > tolerance).astype(at.dtype)) > 0.0
-            return found, found + momentum[:, None] * change, jnp.where(uphill, 1.0, grown), is_open & ~is_known, count + 1
+            moved = jnp.maximum(_norm(change), jnp.abs(change[:, 2]) / metric.lengths)
+            is_open = is_open & groups.any(moved * metric.left > tolerance)
+            weight = jnp.where(uphill, 1.0, grown)
+            return found, found + momentum[:, None] * change, weight, is_open, count + 1
 
         state = (start, start, jnp.ones_like(start[:, 0]), ~is_known, 0)
         found, _, _, is_open, _ = jax.lax.while_loop(goes_on, round_, state)
@@ -366,7 +394,7 @@ class _Search(NamedTuple):
         return self.compliance.groups.join(parts)
 
 
-def _turn_about(
+def _turns_about(
     sets: Sets, compliance: Compliance, friction: Any, velocity: Any, rate: Any, dt: Any
 ) -> Any:
     """Whether a foot's velocity or spin in a group has another sense at the end."""
@@ -378,8 +406,7 @@ def _turn_about(
     least = -(1e-9 if u.dtype == jnp.float64 else 1e-6) ** 2 * speed_sq
     slides = u[:, 0] * after[:, 0] + u[:, 1] * after[:, 1]
     turns = (slides < least) | (arm_sq * u[:, 2] * after[:, 2] < least)
-    turns = turns & (sets.limits > 0.0)
-    return compliance.groups.total(turns.astype(u.dtype)) > 0.0
+    return compliance.groups.any(turns & (sets.limits > 0.0))
 
 
 def _power(compliance: Compliance, friction: Any, velocity: Any, rate: Any, dt: Any) -> Any:
