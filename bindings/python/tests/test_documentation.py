@@ -12,10 +12,23 @@ import tribos
 # Packages that few have, and examples do without.
 OPTIONAL = ("ase", "dask", "jax", "matplotlib", "mujoco", "pandas", "pytest", "ray", "torch")
 MISSING = [package for package in OPTIONAL if importlib.util.find_spec(package) is None]
+# Modules that need several, by the beginning of their names.
+NEEDED = {"mjx": ("jax", "mujoco", "mujoco.mjx"), "_mjx_": ("jax", "mujoco", "mujoco.mjx")}
+
+
+def can_be_imported(module: str) -> bool:
+    needed = next((all_ for name, all_ in NEEDED.items() if module.startswith(name)), ())
+    return module not in MISSING and all(
+        package.partition(".")[0] not in MISSING and importlib.util.find_spec(package)
+        for package in needed
+    )
+
+
 MODULES = [
     found.name
     for found in pkgutil.iter_modules(tribos.__path__, "tribos.")
-    if found.name.rpartition(".")[2] not in {"_native", "__main__", *MISSING}
+    if found.name not in ("tribos._native", "tribos.__main__")
+    and can_be_imported(found.name.removeprefix("tribos."))
 ]
 
 

@@ -11,16 +11,16 @@ jax = pytest.importorskip("jax")
 mujoco = pytest.importorskip("mujoco")
 mjx = pytest.importorskip("mujoco.mjx")
 
-import jax.numpy as jnp
-import tribos.mjx
-import tribos.mujoco
-from tribos import _mjx_model, _mjx_solve
+import jax.numpy as jnp  # noqa: E402
+import tribos.mjx  # noqa: E402
+import tribos.mujoco  # noqa: E402
+from tribos import _mjx_model, _mjx_solve  # noqa: E402
 
 takes_long = pytest.mark.skipif(
     not os.environ.get("TRIBOS_LONG"), reason="compiles for minutes: TRIBOS_LONG=1"
 )
 
-MU, GRAVITY, SPEED, DT = 0.3, 10.0, 1.0, 1e-3  # -, m/s², m/s, s
+MU, GRAVITY, SPEED, DT = 0.3, 10.0, 1.0, 2e-3  # -, m/s², m/s, s
 SPINS = np.array([0.0, 5.0, 12.5, 25.0, 50.0])  # rad/s
 DISK = tribos.Friction(tribos.disk(0.05), mu=MU)
 BOX = tribos.Friction(tribos.box(0.1, 0.1), mu=MU)
@@ -45,7 +45,7 @@ WORLD = f"""
   </worldbody>
 </mujoco>"""
 FEET = {"puck": DISK, "box": BOX} | dict.fromkeys(LEGS, LEG)
-SETTLE, STEPS = 150, 900
+SETTLE, STEPS = 80, 450
 
 
 def compiled(function):
@@ -109,7 +109,8 @@ def test_what_has_come_to_rest_stays(thrown):
         assert state.is_held[: 5 if name in ("puck", "box") else 4].all(), name
         assert not state.missed.any(), name
     moved = np.abs(thrown.places[:, -1] - thrown.places[:, -20])
-    assert moved[:, [0, 1, 7, 8]].max() < 1e-9 and moved[:4, 14:16].max() < 1e-9
+    # The tripod's tilt on its contacts still dies out.
+    assert moved[:4, [0, 1, 7, 8]].max() < 1e-10 and moved[:4, [14, 15]].max() < 1e-8
     weights = [0.17 * GRAVITY, 0.2 * GRAVITY, 0.1 * GRAVITY, 0.1 * GRAVITY, 0.1 * GRAVITY]
     loads = [float(state.load[0]) for state in thrown.state.values()]
     assert loads == pytest.approx(weights, rel=2e-3)
@@ -144,62 +145,63 @@ class Disks:
 
 
 @pytest.fixture(scope="module")
-def pair(wide):
-    """Two disks of one body and one of another, and their friction by motions, in one function."""
+def solved(wide):
+    """Two disks of one body and one of another: their compliance, and a function that gives what is found for a motion with the
+    derivatives of the sum of `along` times friction."""
     random = np.random.default_rng(7)
     root = random.normal(size=(6, 6))
     blocks = (jnp.eye(3)[None] * 2.0, jnp.array(root @ root.T + np.eye(6))[None])
     groups = _mjx_solve.Groups((np.array([[2]]), np.array([[0, 1]])))
     compliance = _mjx_solve.Compliance(groups, blocks)
 
-    def friction(velocity, rate, limits):
-        sets = Disks(limits, [1.0, 0.5, 2.0])
-        return _mjx_solve.solve(sets, compliance, velocity, rate, jnp.zeros((3, 3)), 1e-2)
+    def part(velocity, rate, limits, along):
+        sets = Disks(limits, RADII)
+        found = _mjx_solve.solve(sets, compliance, velocity, rate, jnp.zeros((3, 3)), 1e-2)
+        return (along * found.friction).sum(), found
 
-    return compliance, friction, compiled(friction)
+    return compliance, compiled(jax.value_and_grad(part, argnums=(0, 1, 2), has_aux=True))
 
 
-def test_friction_of_feet_that_slide_opposes_their_motion_at_half_time(pair):
-    compliance, _, friction = pair
+LIMITS, RADII = np.array([3.0, 1.0, 2.0]), [1.0, 0.5, 2.0]
+ANY = np.ones((3, 3))
+
+
+def test_friction_of_feet_that_slide_opposes_their_motion_at_half_time(solved):
+    compliance, solve = solved
     random = np.random.default_rng(5)
-    limits, radii = np.array([3.0, 1.0, 2.0]), [1.0, 0.5, 2.0]
     for speed in (0.3, 3.0):
         velocity, rate = speed * random.normal(size=(3, 3)), random.normal(size=(3, 3))
-        found = friction(velocity, rate, limits)
+        found = solve(velocity, rate, LIMITS, ANY)[0][1]
         motion = velocity + 0.5e-2 * (rate + compliance.times(found.friction))
         assert not found.is_missed.any() and not found.is_held.any()
-        for at, radius in enumerate(radii):
+        for at, radius in enumerate(RADII):
             disk = tribos.Friction(tribos.disk(radius), mu=1.0)
-            exact = disk.wrench(motion[at], limits[at])
-            assert found.friction[at] == pytest.approx(exact, abs=1e-6 * limits[at])
+            exact = disk.wrench(motion[at], LIMITS[at])
+            assert found.friction[at] == pytest.approx(exact, abs=1e-6 * LIMITS[at])
 
 
-def test_derivatives_of_friction_are_those_of_differences_and_finite_at_rest(pair):
-    _, function, friction = pair
+def test_derivatives_of_friction_are_those_of_differences_and_finite_at_rest(solved):
+    _, solve = solved
     random = np.random.default_rng(3)
-    along = random.normal(size=(3, 3))
-    velocity, rate, limits = random.normal(size=(3, 3)), random.normal(size=(3, 3)), np.array([3.0, 1.0, 2.0])
-
-    def power(*given, friction=function):
-        return (along * friction(*given).friction).sum()
-
-    slope = compiled(jax.grad(power, argnums=(0, 1, 2)))
-    found = slope(velocity, rate, limits)
+    along, velocity, rate = random.normal(size=(3, 3, 3))
+    given = [velocity, rate, LIMITS]
+    slopes = solve(*given, along)[1]
     step = 1e-4
-    for at, (given, by) in enumerate(zip((velocity, rate, limits), found, strict=True)):
-        way = random.normal(size=given.shape)
-        ends = []
-        for sign in (1.0, -1.0):
-            moved = [velocity, rate, limits]
-            moved[at] = given + sign * step * way
-            ends.append(float(power(*moved, friction=friction)))
-        assert float((by * way).sum()) == pytest.approx((ends[0] - ends[1]) / (2 * step), rel=1e-4)
+    for at in range(3):
+        way = random.normal(size=given[at].shape)
+        ends = [
+            float(solve(*given[:at], given[at] + move * way, *given[at + 1 :], along)[0][0])
+            for move in (step, -step)
+        ]
+        slope = (ends[0] - ends[1]) / (2.0 * step)
+        assert float((slopes[at] * way).sum()) == pytest.approx(slope, rel=1e-4)
     # At rest friction takes the push; feet without load have none.
-    for velocity, limits in ((np.zeros((3, 3)), np.full(3, 9.0)), (np.ones((3, 3)), np.zeros(3))):
-        assert all(np.isfinite(part).all() for part in slope(velocity, 0.1 * rate, limits))
-    held = friction(np.zeros((3, 3)), 0.1 * rate, np.full(3, 9.0))
+    (_, held), slopes = solve(np.zeros((3, 3)), 0.1 * rate, np.full(3, 9.0), along)
     assert held.is_held.all()
     assert held.response == pytest.approx(-0.1 * rate, abs=1e-9)
+    (_, free), others = solve(velocity, rate, np.zeros(3), along)
+    assert not free.is_held.any() and not free.friction.any()
+    assert all(np.isfinite(part).all() for part in (*slopes, *others))
 
 
 def one(geom='condim="1"', floor='condim="1"', more=""):
@@ -261,7 +263,9 @@ def test_models_without_sense_are_refused():
 
 def test_the_plugins_own_elements_are_read():
     # As MuJoCo has them where the plugin is loaded, after an instance of another plugin.
-    texts = b"5\0" b"puck\0table\0\0disk\0000.05\0\0000.3\0" b"heel toe\0table\0sole\0box\0000.1 0.2\0\0000.5\0"
+    texts = (
+        b"5\0puck\0table\0\0disk\0000.05\0\0000.3\0heel toe\0table\0sole\0box\0000.1 0.2\0\0000.5\0"
+    )
     model = SimpleNamespace(
         nplugin=3,
         plugin_attr=np.frombuffer(texts, np.int8),
@@ -318,7 +322,7 @@ def test_a_capsule_between_two_fingers_hangs_still_or_falls(wide):
 @pytest.mark.parametrize("mode", [jax.jacfwd, jax.jacrev])
 def test_the_resting_place_has_the_derivatives_of_the_exact_slider(wide, mode):
     # MJX has derivatives in reverse mode with one iteration.
-    text = WORLD.split("<body pos=\"0 9")[0].replace('iterations="6"', 'iterations="1"')
+    text = WORLD.split('<body pos="0 9')[0].replace('iterations="6"', 'iterations="1"')
     model = mujoco.MjModel.from_xml_string(text + "</worldbody></mujoco>")
     m, feet = mjx.put_model(model), tribos.mjx.feet(model, {"puck": DISK}, floor="ice")
     ready = mujoco.MjData(model)
@@ -335,7 +339,11 @@ def test_the_resting_place_has_the_derivatives_of_the_exact_slider(wide, mode):
 
     by_spin, by_mu = jax.jit(mode(travel))(jnp.array([12.5, MU]))
     exact = tribos.slide_jacobian(
-        DISK, SPEED, 12.5, gravity=GRAVITY, inertia_ratio=model.body_inertia[1, 2] / (0.17 * 0.05**2)
+        DISK,
+        SPEED,
+        12.5,
+        gravity=GRAVITY,
+        inertia_ratio=model.body_inertia[1, 2] / (0.17 * 0.05**2),
     )
     assert by_spin == pytest.approx(exact.distance_by.spin, rel=3e-3)
     # The travel is inversely proportional to mu.

@@ -17,7 +17,12 @@ Name = str | tuple[str, ...]
 # Attributes of the plugin, in the order in which it registers them; and the numbers of its state.
 KEYS = ("geom", "ground", "site", "patch", "size", "corners", "mu")
 PLUGIN_STATE = 14
-ROUND = {"disk": _patches.disk, "ring": _patches.ring, "hertz": _patches.hertz, "punch": _patches.punch}
+ROUND = {
+    "disk": _patches.disk,
+    "ring": _patches.ring,
+    "hertz": _patches.hertz,
+    "punch": _patches.punch,
+}
 
 
 class Given(NamedTuple):
@@ -37,7 +42,11 @@ def of_model(model: Any) -> list[Given]:
         texts = bytes(model.plugin_attr[model.plugin_attradr[index] :]).split(b"\0")[: len(KEYS)]
         keys = dict(zip(KEYS, (text.decode() for text in texts), strict=False))
         # Other plugins may be in the model, and names of plugins are not.
-        if model.plugin_statenum[index] == PLUGIN_STATE and keys.get("ground") and keys.get("patch"):
+        if (
+            model.plugin_statenum[index] == PLUGIN_STATE
+            and keys.get("ground")
+            and keys.get("patch")
+        ):
             made.append(of_keys(keys))
     if not made:
         raise ValueError(
@@ -56,7 +65,9 @@ def of_keys(keys: Mapping[str, Any]) -> Given:
     name = str(keys.get("name") or " ".join(geoms))
     try:
         mu = float(str(keys.get("mu", "")))
-        return Given(name, Friction(_patch(keys), mu=mu), geoms, grounds, str(keys.get("site") or ""))
+        return Given(
+            name, Friction(_patch(keys), mu=mu), geoms, grounds, str(keys.get("site") or "")
+        )
     except ValueError as error:
         raise ValueError(f"foot {name!r}: {error}") from error
 
@@ -73,7 +84,9 @@ def of_mapping(
     made = []
     for name, friction in feet.items():
         if not isinstance(friction, Friction):
-            raise ValueError(f"the friction of {name!r} must be a tribos.Friction, not {friction!r}")
+            raise ValueError(
+                f"the friction of {name!r} must be a tribos.Friction, not {friction!r}"
+            )
         _ = friction.mu  # laws without limit surface are refused here
         if not isinstance(floor, str) and name not in floor:
             raise ValueError(f"floor has no entry for {name!r}")
@@ -114,7 +127,9 @@ def link(model: Any, feet: Sequence[Given]) -> Links:
     senses = np.stack([_moves(model, foot) - _moves(model, ground) for foot, ground in bodies])
     for foot, row in zip(feet, senses, strict=True):
         if not row.any():
-            raise ValueError(f"foot {foot.name!r} never moves on its ground: neither body has a joint")
+            raise ValueError(
+                f"foot {foot.name!r} never moves on its ground: neither body has a joint"
+            )
     roots = model.body_rootid[model.dof_bodyid]
     free = _free_bodies(model)
     free_freedoms = (model.body_dofadr[free][:, None] + np.arange(6)).ravel()
@@ -136,7 +151,9 @@ def _names(keys: Mapping[str, Any], key: str) -> tuple[str, ...]:
     given = keys.get(key) or ""
     names = tuple(given.split()) if isinstance(given, str) else tuple(given)
     if not names:
-        raise ValueError(f"{key} is missing: give the name of a geom, or of several separated by spaces")
+        raise ValueError(
+            f"{key} is missing: give the name of a geom, or of several separated by spaces"
+        )
     if len(set(names)) != len(names):
         raise ValueError(f"{key} names a geom twice: {' '.join(names)}")
     return names
@@ -168,7 +185,9 @@ def _patch(keys: Mapping[str, Any]) -> _patches.Patch:
     known = ("disk", "annulus", "ring", "hertz", "punch", "box", "polygon", "points")
     if kind not in known:
         raise ValueError(f"patch must be one of {', '.join(known)}, not {kind!r}")
-    raise ValueError(f"size of patch {kind!r} is one radius, or two lengths for annulus and box, not {size}")
+    raise ValueError(
+        f"size of patch {kind!r} is one radius, or two lengths for annulus and box, not {size}"
+    )
 
 
 def _index(model: Any, kind: str, name: object) -> int:
@@ -176,7 +195,9 @@ def _index(model: Any, kind: str, name: object) -> int:
     index = mujoco.mj_name2id(model, kinds[kind], name) if isinstance(name, str) else -1
     if index < 0:
         count = model.ngeom if kind == "geom" else model.nsite
-        names: Iterable[str | None] = (mujoco.mj_id2name(model, kinds[kind], at) for at in range(count))
+        names: Iterable[str | None] = (
+            mujoco.mj_id2name(model, kinds[kind], at) for at in range(count)
+        )
         known = ", ".join(repr(one) for one in names if one)
         raise ValueError(
             f"the model has no {kind} {name!r}; its named {kind}s are: {known or 'none'}"
@@ -220,7 +241,9 @@ def _dimension(model: Any, a: int, b: int) -> int:
 def _check_contacts(model: Any, geoms: tuple[int, ...], grounds: tuple[int, ...]) -> None:
     for geom in geoms:
         for ground in grounds:
-            one, other = (mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_GEOM, at) for at in (geom, ground))
+            one, other = (
+                mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_GEOM, at) for at in (geom, ground)
+            )
             dimension = _dimension(model, geom, ground)
             if dimension == 0:
                 raise ValueError(
@@ -242,7 +265,9 @@ def _check_claims(feet: Sequence[Given], geoms: list[Any], grounds: list[Any]) -
             for ground in under:
                 other = claims.setdefault(frozenset((geom, ground)), foot.name)
                 if other != foot.name:
-                    raise ValueError(f"feet {other!r} and {foot.name!r} have the friction of the same geoms")
+                    raise ValueError(
+                        f"feet {other!r} and {foot.name!r} have the friction of the same geoms"
+                    )
 
 
 def _moves(model: Any, body: int) -> Any:
@@ -261,19 +286,25 @@ def _free_bodies(model: Any) -> Any:
         own = slice(model.body_dofadr[body], model.body_dofadr[body] + 6)
         is_one = model.body_dofnum[body] == 6 and model.body_jntnum[body] == 1
         is_alone = (model.body_rootid == model.body_rootid[body]).sum() == 1
-        if is_one and is_alone and not (model.dof_armature[own].any() or model.dof_damping[own].any()):
+        if (
+            is_one
+            and is_alone
+            and not (model.dof_armature[own].any() or model.dof_damping[own].any())
+        ):
             made.append(body)
     return np.array(made, int)
 
 
 def _groups(senses: Any, roots: Any) -> Groups:
     """Feet with degrees of freedom of the same trees, directly or by way of others."""
-    trees = np.stack([(senses[:, roots == root] != 0.0).any(axis=1) for root in np.unique(roots)], axis=1)
+    trees = np.stack(
+        [(senses[:, roots == root] != 0.0).any(axis=1) for root in np.unique(roots)], axis=1
+    )
     joined = trees @ trees.T
     for _ in range(len(joined)):
         joined = joined @ joined
     found: dict[int, list[tuple[int, ...]]] = {}
     for row in np.unique(joined, axis=0):
-        feet = tuple(np.flatnonzero(row))
+        feet = tuple(int(at) for at in np.flatnonzero(row))
         found.setdefault(len(feet), []).append(feet)
     return Groups(tuple(np.array(found[size]) for size in sorted(found)))

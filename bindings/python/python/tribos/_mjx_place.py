@@ -157,7 +157,9 @@ def compliance(m: Any, links: Links, touch: Touch, place: Place, d: Any) -> tupl
         across = mobility[:, :, PLANE, :, SPRINGS].reshape(flat)
         lifts = mobility[:, :, SPRINGS, :, SPRINGS].reshape(flat)
         # P - M K (1 + N K)^-1 M^T in the blocks P in the plane, N along the normals, M between them, K of the springs.
-        springs = jnp.einsum("gaij,ab->gaibj", stiff[one], jnp.eye(size, dtype=rows.dtype)).reshape(flat)
+        springs = jnp.einsum("gaij,ab->gaibj", stiff[one], jnp.eye(size, dtype=rows.dtype)).reshape(
+            flat
+        )
         system = jnp.eye(3 * size, dtype=rows.dtype) + lifts @ springs
         forces = springs @ jnp.linalg.solve(system, jnp.swapaxes(across, -1, -2))
         found = plane - across @ forces

@@ -63,18 +63,23 @@ class Groups(NamedTuple):
     def join(self, parts: list[Any]) -> Any:
         """Rows of feet (n, …) from those of each class (groups, size, …)."""
         flat = [part.reshape((-1,) + part.shape[2:]) for part in parts]
-        return jnp.concatenate(flat)[self.order] if len(flat) > 1 or flat[0].shape[0] > 1 else flat[0]
+        return (
+            jnp.concatenate(flat)[self.order] if len(flat) > 1 or flat[0].shape[0] > 1 else flat[0]
+        )
 
     def total(self, x: Any) -> Any:
         """Sums over the feet of each group, at each of its feet."""
         made = [x[one].sum(axis=1, keepdims=True) for one in self.classes]
-        return self.join([jnp.broadcast_to(m, c.shape) for m, c in zip(made, self.classes, strict=True)])
-
+        return self.join(
+            [jnp.broadcast_to(m, c.shape) for m, c in zip(made, self.classes, strict=True)]
+        )
 
     def any(self, mask: Any) -> Any:
         """Whether something is true of any foot of each group, at each of its feet."""
         made = [mask[one].any(axis=1, keepdims=True) for one in self.classes]
-        return self.join([jnp.broadcast_to(m, c.shape) for m, c in zip(made, self.classes, strict=True)])
+        return self.join(
+            [jnp.broadcast_to(m, c.shape) for m, c in zip(made, self.classes, strict=True)]
+        )
 
 
 class Found(NamedTuple):
@@ -127,7 +132,9 @@ class Metric(NamedTuple):
     """Distance from the solution in units of the last step, for feet alone; 1 for others."""
 
 
-def solve(sets: Sets, compliance: Compliance, velocity: Any, rate: Any, start: Any, dt: Any) -> Found:
+def solve(
+    sets: Sets, compliance: Compliance, velocity: Any, rate: Any, start: Any, dt: Any
+) -> Found:
     """Friction such that each foot is at rest at the end of the step where the patches can carry that; otherwise friction opposes
     the motion at half time, or at the end where a foot turns about.
 
@@ -281,7 +288,9 @@ def _rest(sets: Sets, compliance: Compliance, wanted: Any) -> Any:
 def _least(block: Any, unit: Any, right: Any) -> Any:
     """The least x with block x = right, in these units: Tikhonov's solution, improved three times. Accelerations that friction
     hardly changes, those of feet of one body against each other, stay as they are."""
-    scale = jax.lax.stop_gradient(jnp.diagonal(block, axis1=-2, axis2=-1) * unit * unit).max(axis=-1)
+    scale = jax.lax.stop_gradient(jnp.diagonal(block, axis1=-2, axis2=-1) * unit * unit).max(
+        axis=-1
+    )
     scale = jnp.where(scale > 0.0, scale, 1.0)[:, None]
     scaled = block * unit[:, :, None] * unit[:, None, :] / scale[:, :, None]
     lifted = scaled + BETWEEN * jnp.eye(unit.shape[-1], dtype=unit.dtype)
@@ -305,7 +314,9 @@ def _stills(sets: Sets, compliance: Compliance, metric: Metric, friction: Any, w
     full = metric.bounds * limits
     scaled = left * units / jnp.where(limits > 0.0, limits, 1.0)[:, None]
     is_left = jnp.maximum(_norm(scaled), jnp.abs(scaled[:, 2])) > GIVE * full
-    is_moved = jnp.maximum(_norm(moved), jnp.abs(moved[:, 2])) > still * (full * limits) ** 2 / jnp.where(limits > 0.0, limits, 1.0)
+    is_moved = jnp.maximum(_norm(moved), jnp.abs(moved[:, 2])) > still * (
+        full * limits
+    ) ** 2 / jnp.where(limits > 0.0, limits, 1.0)
     # What has no load has no friction either.
     is_beyond = (limits == 0.0) & (friction != 0.0).any(axis=-1)
     return ~compliance.groups.any(is_beyond | ((is_left | is_moved) & (limits > 0.0)))
@@ -387,7 +398,9 @@ class _Search(NamedTuple):
         columns = jax.vmap(rule)(jnp.asarray(basis, right.dtype))
         for one in self.compliance.groups.classes:
             count, size = one.shape
-            matrix = jnp.moveaxis(columns[: 3 * size, one], 0, -1).reshape(count, 3 * size, 3 * size)
+            matrix = jnp.moveaxis(columns[: 3 * size, one], 0, -1).reshape(
+                count, 3 * size, 3 * size
+            )
             matrix = matrix + lift * jnp.eye(3 * size, dtype=right.dtype)
             found = jnp.linalg.solve(matrix, right[one].reshape(count, 3 * size, 1))
             parts.append(found.reshape(count, size, 3))
@@ -403,7 +416,7 @@ def _turns_about(
     arm_sq = sets.arms**2
     speed_sq = u[:, 0] ** 2 + u[:, 1] ** 2 + arm_sq * u[:, 2] ** 2
     # Reversals of motions slower than this share of the speed are rounding.
-    least = -(1e-9 if u.dtype == jnp.float64 else 1e-6) ** 2 * speed_sq
+    least = -((1e-9 if u.dtype == jnp.float64 else 1e-6) ** 2) * speed_sq
     slides = u[:, 0] * after[:, 0] + u[:, 1] * after[:, 1]
     turns = (slides < least) | (arm_sq * u[:, 2] * after[:, 2] < least)
     return compliance.groups.any(turns & (sets.limits > 0.0))
@@ -420,6 +433,10 @@ def _without_gain(compliance: Compliance, friction: Any, velocity: Any, rate: An
     """Less friction, along itself, where a search that stopped at its count would have it give power."""
     groups = compliance.groups
     total = groups.total(_power(compliance, friction, velocity, rate, dt))
-    own = dt * groups.total(jax.lax.stop_gradient((compliance.times(friction) * friction).sum(axis=-1)))
-    share = jnp.where(own > 0.0, jnp.maximum(1.0 - total / jnp.where(own > 0.0, own, 1.0), 0.0), 0.0)
+    own = dt * groups.total(
+        jax.lax.stop_gradient((compliance.times(friction) * friction).sum(axis=-1))
+    )
+    share = jnp.where(
+        own > 0.0, jnp.maximum(1.0 - total / jnp.where(own > 0.0, own, 1.0), 0.0), 0.0
+    )
     return friction * jnp.where(total > 0.0, share, 1.0)[:, None]

@@ -268,7 +268,9 @@ def _turned(rates: Any, before: Any, after: Any) -> Any:
 def _rows(feet: Feet, d: Any) -> Any:
     """What feet remember, (…, n, SIZE)."""
     if not hasattr(d._impl, "efc_force"):
-        raise ValueError("tribos.mjx needs MJX's implementation in JAX: mjx.put_model(model, impl='jax')")
+        raise ValueError(
+            "tribos.mjx needs MJX's implementation in JAX: mjx.put_model(model, impl='jax')"
+        )
     count = len(feet._names)
     if d.plugin_state.shape[-1] != SIZE * count:
         raise ValueError("the data have no room for the feet's state: begin with d = feet.start(d)")
