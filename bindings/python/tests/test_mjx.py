@@ -309,7 +309,7 @@ def test_a_capsule_between_two_fingers_hangs_still_or_falls(wide):
 
         return jax.lax.scan(step, feet.start(d), None, length=1500)
 
-    last, heights = jax.jit(jax.vmap(run))(jnp.array([2.0, 20.0, 95.0, 0.8]))
+    last, heights = compiled(jax.vmap(run))(jnp.array([2.0, 20.0, 95.0, 0.8]))
     held = np.stack([state.is_held for state in feet.state(last).values()])
     assert np.array_equal(held, [[True, True, True, False]] * 2)
     # From the first touch on, which is known a step late.
@@ -322,7 +322,11 @@ def test_a_capsule_between_two_fingers_hangs_still_or_falls(wide):
 @pytest.mark.parametrize("mode", [jax.jacfwd, jax.jacrev])
 def test_the_resting_place_has_the_derivatives_of_the_exact_slider(wide, mode):
     # MJX has derivatives in reverse mode with one iteration.
-    text = WORLD.split('<body pos="0 9')[0].replace('iterations="6"', 'iterations="1"')
+    text = (
+        WORLD.split('<body pos="0 9')[0]
+        .replace('iterations="6"', 'iterations="1"')
+        .replace(f'"{DT}"', '"1e-3"')
+    )
     model = mujoco.MjModel.from_xml_string(text + "</worldbody></mujoco>")
     m, feet = mjx.put_model(model), tribos.mjx.feet(model, {"puck": DISK}, floor="ice")
     ready = mujoco.MjData(model)
@@ -337,7 +341,7 @@ def test_the_resting_place_has_the_derivatives_of_the_exact_slider(wide, mode):
         step = jax.checkpoint(lambda d, _: (tribos.mjx.step(m, d, feet, mu=mu), None))
         return jax.lax.scan(step, feet.start(mjx.forward(m, d)), None, length=600)[0].qpos[0]
 
-    by_spin, by_mu = jax.jit(mode(travel))(jnp.array([12.5, MU]))
+    by_spin, by_mu = compiled(mode(travel))(jnp.array([12.5, MU]))
     exact = tribos.slide_jacobian(
         DISK,
         SPEED,
