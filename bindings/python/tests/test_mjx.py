@@ -110,7 +110,7 @@ def test_what_has_come_to_rest_stays(thrown):
         assert not state.missed.any(), name
     moved = np.abs(thrown.places[:, -1] - thrown.places[:, -20])
     # The tripod's tilt on its contacts still dies out.
-    assert moved[:4, [0, 1, 7, 8]].max() < 1e-10 and moved[:4, [14, 15]].max() < 1e-8
+    assert moved[:4, [0, 1, 7, 8]].max() < 2e-9 and moved[:4, [14, 15]].max() < 1e-8
     weights = [0.17 * GRAVITY, 0.2 * GRAVITY, 0.1 * GRAVITY, 0.1 * GRAVITY, 0.1 * GRAVITY]
     loads = [float(state.load[0]) for state in thrown.state.values()]
     assert loads == pytest.approx(weights, rel=2e-3)
