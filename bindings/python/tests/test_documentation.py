@@ -23,11 +23,22 @@ OPTIONAL = (
     "warp",
 )
 MISSING = [package for package in OPTIONAL if importlib.util.find_spec(package) is None]
+
+
+def can_be_imported(module: str) -> bool:
+    try:
+        importlib.import_module(module)
+    except ModuleNotFoundError as error:
+        if (error.name or "").partition(".")[0] not in OPTIONAL:
+            raise
+        return False
+    return True
+
+
 MODULES = [
     found.name
-    for found in pkgutil.iter_modules(tribos.__path__, "tribos.")
-    if (name := found.name.rpartition(".")[2]) not in {"_native", "__main__"}
-    and name.strip("_").partition("_")[0] not in MISSING
+    for found in pkgutil.walk_packages(tribos.__path__, "tribos.", onerror=lambda _: None)
+    if found.name not in ("tribos._native", "tribos.__main__") and can_be_imported(found.name)
 ]
 
 
