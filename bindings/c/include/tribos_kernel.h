@@ -68,7 +68,7 @@
 /* Parts, in which a pressure that the compiler knows is no question any more. */
 #if !defined(__CUDACC__) && !defined(__HIPCC__) && defined(__GNUC__)
 #define TRIBOS_PART_ static inline __attribute__((always_inline))
-#define TRIBOS_RARE_ static __attribute__((noinline, cold, unused))
+#define TRIBOS_RARE_ static __attribute__((noinline, unused))
 #else
 #define TRIBOS_PART_ TRIBOS_FN
 #define TRIBOS_RARE_ TRIBOS_FN

@@ -243,6 +243,12 @@ mod tests {
         let root = power(2.0, 3000.0).times(power(2.0, -2999.5)).value();
         assert!((root / 2.0_f64.sqrt() - 1.0).abs() <= 4.0 * f64::EPSILON);
         assert_eq!(power(4.0, 0.5).value(), 2.0);
+        // A reciprocal is rounded once, beyond the normal numbers too.
+        for base in [f64::MAX, 5e-324, 3e-310] {
+            let reciprocal = ExtendedRange::new(1.0).over(ExtendedRange::new(base));
+            assert_eq!(power(base, -1.0).mantissa, reciprocal.mantissa);
+            assert_eq!(power(base, -1.0).exponent, reciprocal.exponent);
+        }
         assert_eq!(power(0.0, 2.0).value(), 0.0);
     }
 }
