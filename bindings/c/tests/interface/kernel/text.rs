@@ -1,4 +1,4 @@
-//! Writes the header from its template, `kernel.h.in`, and Python's terms.
+//! Writes the header from its template, the files of `template`, and Python's terms.
 //!
 //! The template is C with words in capitals for what differs between the types, `_fx` for the end of their names, numbers
 //! like `0.5r` in their precision, and marks:
@@ -16,7 +16,20 @@
 use super::numbers::{PRESSURES, Type, curve, fitted, rough};
 use std::fmt::Write as _;
 
-const TEMPLATE: &str = include_str!("kernel.h.in");
+/// Its parts in the order of the header.
+const TEMPLATE: &str = concat!(
+    include_str!("template/preface.h.in"),
+    include_str!("template/numbers.h.in"),
+    include_str!("template/round.h.in"),
+    include_str!("template/wrench.h.in"),
+    include_str!("template/surface.h.in"),
+    include_str!("template/project.h.in"),
+    include_str!("template/polygon.h.in"),
+    include_str!("template/edges.h.in"),
+    include_str!("template/polygon_surface.h.in"),
+    include_str!("template/step.h.in"),
+    include_str!("template/end.h.in"),
+);
 /// Longest line of what is written here.
 const WIDTH: usize = 120;
 
