@@ -14,7 +14,7 @@ REPOSITORY = Path(os.environ.get("TRIBOS_REPOSITORY", HERE.parents[2]))
 PAGES = {"package": HERE.parent / "README.md", "README": REPOSITORY / "README.md"}
 PAGES |= {page.stem: page for page in sorted((REPOSITORY / "docs").glob("*.md"))}
 
-OPTIONAL = ("ase", "dask", "jax", "matplotlib", "mujoco", "pandas", "ray", "scipy", "torch")
+OPTIONAL = ("ase", "dask", "jax", "matplotlib", "mujoco", "pandas", "ray", "scipy", "torch", "warp")
 BLOCK = re.compile(r"^```python\n(.*?)^```\n(?:\n```text\n(.*?)^```$)?", re.MULTILINE | re.DOTALL)
 
 
