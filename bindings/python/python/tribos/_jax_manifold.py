@@ -9,8 +9,8 @@ import jax
 import jax.numpy as jnp
 
 from tribos._forms import xla
-from tribos._forms.manifold import CURVES
 from tribos._forms.manifold import manifold_friction as _form
+from tribos._forms.manifold import terms_in
 
 
 def manifold_friction(
@@ -55,18 +55,11 @@ def manifold_friction(
     >>> print([round(float(x), 3) for x in (p[0], twist)])
     [0.445, 0.018]
     """
-    if isinstance(curve, str):
-        if curve not in CURVES:
-            raise ValueError(
-                f"tribos.jax.manifold_friction: curve must be one of {list(CURVES)} or three "
-                f"numbers, not {curve!r}"
-            )
-        curve = CURVES[curve]
+    name = "tribos.jax.manifold_friction"
+    curve = terms_in(name, curve, steps)
     rows = jnp.asarray(impulses)
     if rows.shape[-1:] != (2,):
-        raise ValueError(
-            f"tribos.jax.manifold_friction: impulses must have shape (..., 2), not {rows.shape}"
-        )
+        raise ValueError(f"{name}: impulses must have shape (..., 2), not {rows.shape}")
     own = rows.dtype if jnp.issubdtype(rows.dtype, jnp.floating) else jnp.result_type(float)
     # Half precision has too few digits to compute with.
     dtype = jnp.dtype(jnp.float32) if jnp.dtype(own).itemsize < 4 else own

@@ -30,6 +30,18 @@ LEAST_DESCENT = 1e-12
 DIAGONAL = 0.5**0.5
 
 
+def terms_in(name: str, curve: Any, steps: Any) -> tuple[Any, Any, Any]:
+    """The three coefficients of a curve, in an argument of a function; its steps are looked at, too."""
+    if not isinstance(steps, int) or steps < 1:
+        raise ValueError(f"{name}: steps must be a whole number > 0, not {steps!r}")
+    terms = CURVES.get(curve) if isinstance(curve, str) else curve
+    if terms is None or len(terms) != 3:
+        raise ValueError(
+            f"{name}: curve must be one of {list(CURVES)} or three numbers, not {curve!r}"
+        )
+    return terms[0], terms[1], terms[2]
+
+
 class _Scaled(NamedTuple):
     """Weights of force and torque, and their products with the candidate, none above 1; the curve."""
 
