@@ -22,12 +22,21 @@ def has_form(operation: Operation) -> bool:
 
 def applied(operation: Operation, *given: Any) -> tuple[Any, ...]:
     """The operation on tensors of one type and device, whose leading axes are broadcast."""
+    return _MADE[type(operation)](operation, *_form(operation, given[0]), *given)
+
+
+def slope(operation: _gradients.Wrench, twists: Any, load: Any) -> Any:
+    """The derivatives of friction by the twist."""
+    return jacobian(*_form(operation, twists), twists, operation.friction.mu * load)
+
+
+def _form(operation: Operation, like: Any) -> tuple[str, Any]:
+    """The kind and the size of what an operation is of."""
     friction = _friction(operation)
     kind = kind_of(friction)
     if kind is None:
         raise ValueError(f"{friction!r} has no form in tensor operations")
-    size = torch.tensor(size_of(friction), dtype=given[0].dtype, device=given[0].device)
-    return _MADE[type(operation)](operation, kind, size, *given)
+    return kind, torch.tensor(size_of(friction), dtype=like.dtype, device=like.device)
 
 
 def _friction(operation: Any) -> Any:

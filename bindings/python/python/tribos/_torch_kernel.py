@@ -22,7 +22,7 @@ def applied(operation: Operation, *tensors: Any) -> tuple[Any, ...]:
 
 
 def slope(operation: Operation, *tensors: Any) -> Any:
-    """The first output's derivatives by the first input, without derivatives of their own."""
+    """The first output's derivatives by the first input; where there is a form they have derivatives in turn."""
     return _Slope.apply(operation, *tensors)
 
 
@@ -67,20 +67,40 @@ class _OperatedTwice(torch.autograd.Function):  # type: ignore[misc, unused-igno
 
 
 class _Slope(torch.autograd.Function):  # type: ignore[misc, unused-ignore]
-    """Derivatives that have none in turn."""
+    """Derivatives, which have those of the form in turn."""
 
     @staticmethod
     def forward(ctx: Any, operation: Operation, *given: Any) -> Any:
         ctx.operation = operation
+        ctx.save_for_backward(*given)
         _, by = finite_derivatives(operation, *(x.detach().numpy() for x in given))
         return _tensor(by[0][0], given[0].dtype)
 
     @staticmethod
-    def backward(ctx: Any, *_: Any) -> Any:
-        raise NotImplementedError(
-            f"tribos.torch.jacobian of {ctx.operation.friction!r} runs in the compiled kernel, which has first "
-            "derivatives of friction only: difference them for second ones, or detach them"
-        )
+    def backward(ctx: Any, weights: Any) -> tuple[Any, ...]:
+        if not _torch_forms.has_form(ctx.operation):
+            raise NotImplementedError(
+                f"tribos.torch.jacobian of {ctx.operation.friction!r} runs in the compiled kernel, which has first "
+                "derivatives of friction only: difference them for second ones, or detach them"
+            )
+        again = torch.is_grad_enabled()
+        needed = [at for at, is_needed in enumerate(ctx.needs_input_grad[1:]) if is_needed]
+        with torch.enable_grad():
+            given = [x if again else x.detach() for x in ctx.saved_tensors]
+            # Views, lest ways from one argument to another count.
+            at = [
+                x.view_as(x) if x.requires_grad else x.requires_grad_(n in needed)
+                for n, x in enumerate(given)
+            ]
+            made = _torch_forms.slope(ctx.operation, *at)
+            wanted = [at[n] for n in needed]
+            slopes = torch.autograd.grad(
+                made, wanted, weights, create_graph=again, allow_unused=True
+            )
+        results: list[Any] = [None] * (1 + len(at))
+        for n, slope in zip(needed, slopes, strict=True):
+            results[1 + n] = slope
+        return tuple(results)
 
 
 def _forward(ctx: Any, operation: Operation, *given: Any) -> tuple[Any, ...]:

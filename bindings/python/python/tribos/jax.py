@@ -46,8 +46,8 @@ and of a disk's rim the second derivative is infinite as a logarithm is, of a ri
 numbers stand in for them. `planar_step` has finite derivatives everywhere, because an implicit step
 smooths the jump, and its motion after a step that ends at rest has a derivative of exactly zero; so a
 body that has come to rest passes no gradient on, which is right but may surprise an optimiser. NaN gives
-NaN in its row alone, and so does an infinite twist or wrench. Negative loads and the like are refused
-where they are numbers or arrays of numpy.
+NaN in its row alone, and so does an infinite twist or wrench. Negative loads and coefficients
+are refused where they are numbers or arrays of numpy, and by the kernel; NaN comes of them in XLA.
 
 *Softening*: ``soft`` is a speed in m/s. With D the power of dry friction over ``mu * load``, a speed,
 softened friction is D/sqrt(D² + soft²) times dry friction: minus the gradient of the convex potential

@@ -13,12 +13,13 @@ from typing import Any, NamedTuple
 
 from tribos._forms import sets
 from tribos._forms.form import Form
-from tribos._forms.sets import is_none
+from tribos._forms.sets import is_none, not_negative
 from tribos._forms.space import Space
 
 
 def support(space: Space, form: Form, twists: Any, limit: Any, soft: Any = None) -> Any:
-    """Power of dry friction, or the potential of softened friction."""
+    """Power of dry friction, or the potential of softened friction; NaN under a negative limit."""
+    limit = not_negative(space, limit)
     if soft is None:
         return limit * sets.support(space, form, twists)
     at = _softened(space, form, twists, soft)
@@ -27,6 +28,7 @@ def support(space: Space, form: Form, twists: Any, limit: Any, soft: Any = None)
 
 def wrench(space: Space, form: Form, twists: Any, limit: Any, soft: Any = None) -> Any:
     """Friction, minus the gradient of the support."""
+    limit = not_negative(space, limit)
     if soft is None:
         return sets.scaled(space, limit, form.wrench(space, twists))
     at = _softened(space, form, twists, soft)
@@ -42,6 +44,7 @@ def wrench(space: Space, form: Form, twists: Any, limit: Any, soft: Any = None) 
 
 def jacobian(space: Space, form: Form, twists: Any, limit: Any, soft: Any = None) -> Any:
     """Derivatives of friction by the twist, of shape (..., 3, 3); without softening 0 at rest."""
+    limit = not_negative(space, limit)
     xx, xy, yy, xt, yt, tt = form.hessian(space, twists)
     rows: Any = ((xx, xy, xt), (xy, yy, yt), (xt, yt, tt))
     if soft is None:
