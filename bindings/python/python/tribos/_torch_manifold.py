@@ -63,6 +63,6 @@ def manifold_friction(
     axes = torch.broadcast_shapes(p.shape[:-1], *(x.shape for x in numbers))
     twist, force, lever, k, kt, slip, *terms = numbers
     p, twist = p.broadcast_to((*axes, 2)), twist.broadcast_to(axes)
-    terms = (terms[0], terms[1], terms[2])
-    made = _form(space, p, twist, force, lever, k=k, kt=kt, slip=slip, curve=terms, steps=steps)
+    limits = {"slip": slip, "curve": (terms[0], terms[1], terms[2]), "steps": steps}
+    made = _form(space, p, twist, force, lever, k=k, kt=kt, **limits)
     return made[0].to(own), made[1].to(own)

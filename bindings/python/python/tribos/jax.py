@@ -68,6 +68,7 @@ from typing import Any, NamedTuple
 import jax.numpy as jnp
 
 from tribos import _gradients, _jax_callback, _jax_native
+from tribos._arguments import friction_in
 from tribos._checks import positive
 from tribos._forms.pushed_path import Journey
 from tribos._forms.pushing import PointContact, Push
@@ -414,7 +415,8 @@ def slide(
     >>> print(f"{distance(12.5):.4f} {jax.grad(distance)(12.5):.5f}")
     0.2166 0.00789
     """
-    operation = _gradients.Slide(friction, positive("inertia_ratio", inertia_ratio))
+    ratio = positive("inertia_ratio", inertia_ratio)
+    operation = _gradients.Slide(friction_in("tribos.jax.slide", friction), ratio)
     # Numbers of Python take the type of the arrays.
     given = [
         x if isinstance(x, (bool, int, float)) else jnp.asarray(x)

@@ -356,7 +356,8 @@ def planar_step(
         after, mean, rest = made[0], made[1], made[2] > 0.5
     else:
         limit = call.under(load)
-        after, mean, rest = _torch_forms.planar_step(call.kind, call.size, *rows, limit, *body)
+        numbers = (limit, *body)
+        after, mean, rest = _torch_forms.planar_step(call.kind, call.size, *rows, *numbers)
     if angle is not None:
         after, mean = (_turned(row, angle, 1.0) for row in (after, mean))
     return Step(call.own(after), call.own(mean), rest)

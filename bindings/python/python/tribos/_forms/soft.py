@@ -82,24 +82,25 @@ def _softened(space: Space, form: Form, twists: Any, soft: Any) -> _Softened:
     push = space.apart(-form.wrench(space, twists))
     power = sets.support(space, form, twists)
     unit = space.still(space.where(power < soft, soft + 0.0 * power, power))
-    # Without softening there is nothing at rest.
     unit = space.where(unit == 0.0, 1.0, unit)
-    slopes = _slopes_at_rest(form.centre(space), form.spin(space))
+    # Without softening there is nothing at rest.
+    is_soft = space.still(space.where(soft > 0.0, 1.0 + 0.0 * power, 0.0 * power))
+    slopes = _slopes_at_rest(form.centre(space), form.spin(space), is_soft)
     x, y, spin = (part / unit for part in space.parts(twists))
     (cx, cy), arm = form.centre(space), form.spin(space)
     u, v, turn = x - spin * cy, y + spin * cx, spin * arm
     is_rest, power, soft = is_none(space, twists), power / unit, soft / unit
-    square = space.where(is_rest, u * u + v * v + turn * turn, power * power)
+    square = space.where(is_rest, is_soft * (u * u + v * v + turn * turn), power * power)
     whole = square + soft * soft
     root = space.sqrt(space.where(whole == 0.0, 1.0, whole))
     return _Softened(is_rest, space.parts(push), unit, power, soft, square, root, slopes)
 
 
-def _slopes_at_rest(centre: tuple[Any, Any], arm: Any) -> Any:
-    """Half of the second derivatives of u² + (T w)² by the motion of the origin."""
-    x, y = centre
-    one, none = 1.0 + 0.0 * x, 0.0 * x
-    return (one, none, -y), (none, one, x), (-y, x, x * x + y * y + arm * arm)
+def _slopes_at_rest(centre: tuple[Any, Any], arm: Any, one: Any) -> Any:
+    """Half of the second derivatives of u² + (T w)² by the motion of the origin, times a number."""
+    x, y = one * centre[0], one * centre[1]
+    none, turn = 0.0 * x, one * (arm * arm)
+    return (one, none, -y), (none, one, x), (-y, x, turn + x * centre[0] + y * centre[1])
 
 
 def _matrix(space: Space, rows: Any) -> Any:

@@ -182,7 +182,7 @@ class _Ruled(torch.autograd.Function):  # type: ignore[misc, unused-ignore]
             moving = [x for x in by if x is not None]
             pairs = [(rate, w) for rate, w in zip(rates, weights) if rate.requires_grad]
             if not pairs:
-                return (None,) * (3 + ctx.count)
+                return (None, None, None, *(None for _ in at))
             rates, weights = zip(*pairs)
             slopes = iter(
                 torch.autograd.grad(rates, moving, weights, create_graph=again, allow_unused=True)
