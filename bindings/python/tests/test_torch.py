@@ -357,3 +357,26 @@ def test_jacobians_of_the_kernel_refuse_derivatives() -> None:
         made.sum().backward()
     # Those of a form are differentiated.
     check(lambda twists: tt.jacobian(FRICTIONS[0], twists, 7.0), TWISTS)
+
+
+def test_a_softening_of_zero_leaves_nothing_at_rest_and_a_negative_load_no_number() -> None:
+    loads, soft = torch.tensor([2.0, 2.0, -2.0]), torch.tensor([0.0, 0.1, 0.0])
+    rows = torch.tensor([[0.0] * 3, [0.0] * 3, [1.0, 0.0, 0.0]], requires_grad=True)
+    matrix = tt.jacobian(FRICTIONS[0], rows, loads, soft=soft)
+    assert not matrix[0].any() and torch.isclose(matrix[1, 0, 0], torch.tensor(-10.0))
+    assert matrix[2].isnan().all()
+    made = tt.wrench(FRICTIONS[0], rows, loads, soft=soft)
+    (slopes,) = torch.autograd.grad(made[:2, 0].sum(), rows)
+    assert not slopes[0].any() and torch.isclose(slopes[1, 0], torch.tensor(-10.0))
+    with pytest.raises(ValueError, match="load must be >= 0"):
+        tt.wrench(FRICTIONS[0], rows, loads)
+
+
+@pytest.mark.parametrize("backend", ["kernel", "tensors"])
+def test_a_gauge_without_load_passes_zero_on(backend: str) -> None:
+    rows, loads = doubles([[1.0, 0.0, 0.0], [0.0, 2.0, 0.0]], [0.0, 4.0])
+    made = tt.gauge(FRICTIONS[0], rows, loads, backend=backend)
+    assert made[0].isinf()
+    by_rows, by_loads = torch.autograd.grad(made.nan_to_num(posinf=0.0).sum(), (rows, loads))
+    assert not by_rows[0].any() and by_loads[0] == 0.0
+    assert np.allclose(by_rows[1], [0.0, 1.0 / (4.0 * 0.5), 0.0], rtol=1e-9)
