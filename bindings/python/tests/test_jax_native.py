@@ -421,6 +421,8 @@ def test_what_is_wrong_is_refused_in_words() -> None:
         "must be a tribos.Friction": lambda: tj.support(tribos.disk(0.1), twist, 1.0),
         "slide: friction must be": lambda: tj.slide(tribos.disk(0.1), 1.0, 1.0),
         "must be real numbers": lambda: tj.wrench(DISK, twist + 0j, 1.0),
+        "shapes do not fit": lambda: tj.slide(DISK, jnp.ones(2), jnp.ones(3)),
+        "k must be > 0": lambda: tj.manifold_friction(twist[:2], 0, 1, 1, k=0, kt=1),
         "steps must be": lambda: tj.manifold_friction(twist[:2], 0, 1, 1, k=1, kt=1, steps=0),
     }.items():
         with pytest.raises(ValueError, match=words):

@@ -338,6 +338,11 @@ REFUSED = [
     ("length must be a number", lambda: tt.project(PTS, PUSHES, 1.0, length=torch.ones(2))),
     ("real numbers", lambda: tt.wrench(PTS, torch.ones(3, dtype=torch.complex64), 1.0)),
     ("curve must be", lambda: tt.manifold_friction([1.0, 0.0], 0, 1, 1, k=1, kt=1, curve="x")),
+    ("force must be >= 0", lambda: tt.manifold_friction([1.0, 0.0], 0, -1, 1, k=1, kt=1)),
+    (
+        "shapes do not fit",
+        lambda: tt.manifold_friction(np.ones((2, 2)), np.ones(3), 1, 1, k=1, kt=1),
+    ),
     ("shapes do not fit", lambda: tt.slide(FRICTIONS[0], torch.ones(2), torch.ones(3))),
 ]
 

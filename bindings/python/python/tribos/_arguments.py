@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any, ClassVar
 
 import numpy as np
@@ -18,6 +19,23 @@ def friction_in(name: str, friction: Any) -> Friction:
     if not isinstance(friction, Friction):
         raise ValueError(f"{name}: friction must be a tribos.Friction, not {friction!r}")
     return friction
+
+
+def check_sign(name: str, key: str, given: Any, *, above: bool = False) -> None:
+    """Whether a number is at least 0 or above 0, where it is known."""
+    if isinstance(given, (int, float, np.generic, np.ndarray)):
+        known = np.asarray(given)
+        if known.dtype.kind in "fiub" and np.any(known <= 0.0 if above else known < 0.0):
+            least = "> 0" if above else ">= 0"
+            raise ValueError(f"{name}: {key} must be {least}, not {given!r}")
+
+
+def axes_of(name: str, shapes: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
+    """The axes of arguments together."""
+    try:
+        return np.broadcast_shapes(*shapes.values())
+    except ValueError:
+        raise ValueError(f"{name}: shapes do not fit: {dict(shapes)}") from None
 
 
 class Call:
@@ -144,11 +162,7 @@ class Call:
 
     def number(self, key: str, given: Any, *, above: bool = False) -> Any:
         """A number for each row, at least 0 or above 0 where it is known."""
-        if isinstance(given, (int, float, np.generic, np.ndarray)):
-            known = np.asarray(given)
-            if known.dtype.kind in "fiub" and np.any(known <= 0.0 if above else known < 0.0):
-                least = "> 0" if above else ">= 0"
-                raise ValueError(f"{self.name}: {key} must be {least}, not {given!r}")
+        check_sign(self.name, key, given, above=above)
         made = self._array(given)
         self.meet(key, tuple(made.shape))
         return made

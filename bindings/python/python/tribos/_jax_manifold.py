@@ -8,9 +8,10 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 
+from tribos._arguments import axes_of, check_sign
 from tribos._forms import xla
+from tribos._forms.manifold import ARGUMENTS, SIGNS, terms_in
 from tribos._forms.manifold import manifold_friction as _form
-from tribos._forms.manifold import terms_in
 
 
 def manifold_friction(
@@ -56,14 +57,19 @@ def manifold_friction(
     [0.445, 0.018]
     """
     name = "tribos.jax.manifold_friction"
-    curve = terms_in(name, curve, steps)
+    given = (twist, force, lever, k, kt, slip, *terms_in(name, curve, steps))
+    for key, x in zip(ARGUMENTS[1:], given):
+        if key in SIGNS:
+            check_sign(name, key, x, above=SIGNS[key])
     rows = jnp.asarray(impulses)
     if rows.shape[-1:] != (2,):
         raise ValueError(f"{name}: impulses must have shape (..., 2), not {rows.shape}")
     own = rows.dtype if jnp.issubdtype(rows.dtype, jnp.floating) else jnp.result_type(float)
     # Half precision has too few digits to compute with.
     dtype = jnp.dtype(jnp.float32) if jnp.dtype(own).itemsize < 4 else own
-    numbers = [jnp.asarray(x, dtype) for x in (twist, force, lever, k, kt, slip, *curve)]
+    numbers = [jnp.asarray(x, dtype) for x in given]
+    shapes = {key: x.shape for key, x in zip(ARGUMENTS[1:], numbers)}
+    axes_of(name, {ARGUMENTS[0]: rows.shape[:-1], **shapes})
     made = _carried(steps, rows.astype(dtype), *numbers)
     return made[0].astype(own), made[1].astype(own)
 

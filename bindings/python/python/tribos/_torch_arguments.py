@@ -89,10 +89,6 @@ def rest_arguments(name: str, given: Mapping[str, Any]) -> tuple[list[Any], Any]
     result, computed, device = together(name, list(given.values()))
     if device.type != "cpu":
         raise ValueError(f"{name}: tensors must be on the processor, not on {device}")
-    tensors = [tensor(x, computed, device) for x in given.values()]
-    try:
-        torch.broadcast_shapes(*(x.shape for x in tensors))
-    except RuntimeError:
-        shapes = {key: tuple(x.shape) for key, x in zip(given, tensors, strict=True)}
-        raise ValueError(f"{name}: shapes do not fit: {shapes}") from None
-    return tensors, result
+    tensors = {key: tensor(x, computed, device) for key, x in given.items()}
+    _arguments.axes_of(name, {key: tuple(x.shape) for key, x in tensors.items()})
+    return list(tensors.values()), result

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-import torch  # type: ignore[import-not-found, unused-ignore]
-
+from tribos._arguments import axes_of, check_sign
 from tribos._forms import torch as space
+from tribos._forms.manifold import ARGUMENTS, SIGNS, terms_in
 from tribos._forms.manifold import manifold_friction as _form
-from tribos._forms.manifold import terms_in
 from tribos._torch_arguments import tensor, together
 
 
@@ -56,11 +55,15 @@ def manifold_friction(
     """
     name = "tribos.torch.manifold_friction"
     given = (impulses, twist, force, lever, k, kt, slip, *terms_in(name, curve, steps))
+    for key, x in zip(ARGUMENTS, given):
+        if key in SIGNS:
+            check_sign(name, key, x, above=SIGNS[key])
     own, dtype, device = together(name, given)
     p, *numbers = (tensor(x, dtype, device) for x in given)
     if p.shape[-1:] != (2,):
         raise ValueError(f"{name}: impulses must have shape (..., 2), not {tuple(p.shape)}")
-    axes = torch.broadcast_shapes(p.shape[:-1], *(x.shape for x in numbers))
+    shapes = {key: tuple(x.shape) for key, x in zip(ARGUMENTS[1:], numbers)}
+    axes = axes_of(name, {ARGUMENTS[0]: tuple(p.shape[:-1]), **shapes})
     twist, force, lever, k, kt, slip, *terms = numbers
     p, twist = p.broadcast_to((*axes, 2)), twist.broadcast_to(axes)
     limits = {"slip": slip, "curve": (terms[0], terms[1], terms[2]), "steps": steps}

@@ -68,7 +68,7 @@ from typing import Any, NamedTuple
 import jax.numpy as jnp
 
 from tribos import _gradients, _jax_callback, _jax_native
-from tribos._arguments import friction_in
+from tribos._arguments import axes_of, friction_in
 from tribos._checks import positive
 from tribos._forms.pushed_path import Journey
 from tribos._forms.pushing import PointContact, Push
@@ -418,9 +418,16 @@ def slide(
     ratio = positive("inertia_ratio", inertia_ratio)
     operation = _gradients.Slide(friction_in("tribos.jax.slide", friction), ratio)
     # Numbers of Python take the type of the arrays.
-    given = [
-        x if isinstance(x, (bool, int, float)) else jnp.asarray(x)
-        for x in (speed, spin, gravity, operation.own(radius))
-    ]
-    dtype = jnp.result_type(float, *given)
-    return Slide(*_jax_callback.applied(operation, *(jnp.asarray(x, dtype) for x in given)))
+    given = {
+        key: x if isinstance(x, (bool, int, float)) else jnp.asarray(x)
+        for key, x in (
+            ("speed", speed),
+            ("spin", spin),
+            ("gravity", gravity),
+            ("radius", operation.own(radius)),
+        )
+    }
+    axes_of("tribos.jax.slide", {key: jnp.shape(x) for key, x in given.items()})
+    dtype = jnp.result_type(float, *given.values())
+    arrays = (jnp.asarray(x, dtype) for x in given.values())
+    return Slide(*_jax_callback.applied(operation, *arrays))

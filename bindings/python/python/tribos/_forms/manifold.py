@@ -19,6 +19,20 @@ CURVES = {
 }
 """h₁, h₂ and h₄ of disks and squares, of rings and feet at the corners of a square, and of x² + y² = 1."""
 
+#: The arguments of functions of arrays in their order, with the curve's coefficients, and whether numbers are above 0 or at least 0.
+ARGUMENTS = (
+    "impulses",
+    "twist",
+    "force",
+    "lever",
+    "k",
+    "kt",
+    "slip",
+    "curve 1",
+    "curve 2",
+    "curve 4",
+)
+SIGNS = {"force": False, "lever": False, "k": True, "kt": False, "slip": True}
 #: Where denominators that may be zero end, and least argument of a root, so that its second derivative is finite.
 TINY = {"float32": 1e-18, "float64": 1e-100}
 #: As in the kernel: least share of a weight, widening of the circle from which the search starts, steps for its
