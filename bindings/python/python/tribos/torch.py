@@ -21,7 +21,7 @@ Notes
 *Backends*: ``"kernel"`` is the compiled kernel, on the processor; ``backward`` uses its analytic derivatives. ``"tensors"``
 is PyTorch's own operations, the forms of `tribos.jax`: Coulomb friction of `tribos.disk`, `ring`, `punch`, `hertz`,
 `paraboloid`, and of `box` and `polygon` under uniform pressure, on every device, with derivatives of every order. ``"auto"``
-takes the kernel for tensors on the processor, which is quicker there, and the forms on devices and for `radius`, `corners`
+takes the kernel for tensors on the processor and the forms on devices and for `radius`, `corners`
 and `soft`. ``backward(create_graph=True)`` follows the form with either. All else, and `slide`, has tensors on the processor
 and first derivatives.
 
@@ -41,6 +41,9 @@ are refused where they are numbers or arrays of numpy, and by the kernel; NaN co
 
 *Softening*: ``soft`` is a speed in m/s. With D the power of dry friction over ``mu * load``, a speed, softened friction is
 D/sqrt(D² + soft²) times dry friction, see `tribos.jax`. `tribos.softened` has another law that is smooth at rest.
+
+*Cost*: forms are hundreds of small operations: a call takes some 0.3 ms for a wrench, 2 ms for a step of round patches and
+60 ms of polygons, whose searches go on until the last row has ended, however few the rows are; a call of the kernel 0.05 ms.
 """
 
 from __future__ import annotations
