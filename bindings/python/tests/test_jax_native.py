@@ -344,6 +344,25 @@ def test_results_have_the_type_of_the_motions() -> None:
     assert tj.wrench(DISK, twist, load).dtype == jnp.float32
 
 
+def test_a_softening_of_zero_leaves_nothing_at_rest_and_a_negative_load_no_number() -> None:
+    loads, soft = jnp.array([2.0, 2.0, -2.0]), jnp.array([0.0, 0.1, 0.0])
+    rows = np.array([[0.0] * 3, [0.0] * 3, [1.0, 0.0, 0.0]])
+    made = np.asarray(tj.jacobian(DISK, rows, loads, soft=soft))
+    assert not made[0].any() and np.isclose(made[1, 0, 0], -MU * 2.0 / 0.1, rtol=1e-12)
+    assert np.isnan(made[2]).all()
+
+
+def test_a_gauge_without_load_passes_zero_on_from_the_kernel() -> None:
+    def grown(wrenches, loads):
+        made = tj.gauge(DISK, wrenches, loads, backend="callback")
+        return jnp.sum(jnp.where(jnp.isinf(made), 0.0, made))
+
+    rows = jnp.array([[1.0, 0.0, 0.0], [0.0, 2.0, 0.0]])
+    by_rows, by_loads = jax.grad(grown, argnums=(0, 1))(rows, jnp.array([0.0, 4.0]))
+    assert not by_rows[0].any() and by_loads[0] == 0.0
+    assert np.allclose(by_rows[1], [0.0, 1.0 / (4.0 * MU), 0.0], rtol=1e-9)
+
+
 def test_frictions_of_one_kind_share_a_program() -> None:
     tj.wrench(DISK, np.ones((5, 3)), 1.0)
     before = _jax_native.wrench._cache_size()
@@ -400,6 +419,11 @@ def test_what_is_wrong_is_refused_in_words() -> None:
         "radius must be > 0": lambda: tj.normal(DISK, twist, radius=0.0),
         "mass must be > 0": lambda: tj.planar_step(DISK, twist, twist, 1.0, **{**BODY, "mass": 0}),
         "must be a tribos.Friction": lambda: tj.support(tribos.disk(0.1), twist, 1.0),
+        "slide: friction must be": lambda: tj.slide(tribos.disk(0.1), 1.0, 1.0),
+        "must be real numbers": lambda: tj.wrench(DISK, twist + 0j, 1.0),
+        "shapes do not fit": lambda: tj.slide(DISK, jnp.ones(2), jnp.ones(3)),
+        "k must be > 0": lambda: tj.manifold_friction(twist[:2], 0, 1, 1, k=0, kt=1),
+        "steps must be": lambda: tj.manifold_friction(twist[:2], 0, 1, 1, k=1, kt=1, steps=0),
     }.items():
         with pytest.raises(ValueError, match=words):
             call()

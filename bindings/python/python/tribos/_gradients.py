@@ -376,7 +376,11 @@ class Gauge(OnSurface):
         gradient = self.slopes.gauge_gradient(self.limits(load), wrenches)
         with np.errstate(divide="ignore", invalid="ignore"):
             by_load = -np.asarray(gauge) / np.asarray(load)
-        return (gauge,), [[gradient, by_load]]
+        # Without load it is infinite whatever the wrench, or 0 for none.
+        is_held = np.asarray(load) != 0.0
+        return (gauge,), [
+            [np.where(_rows(is_held), gradient, 0.0), np.where(is_held, by_load, 0.0)]
+        ]
 
 
 @dataclass(frozen=True)

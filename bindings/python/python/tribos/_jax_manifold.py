@@ -8,8 +8,9 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 
+from tribos._arguments import axes_of, check_sign
 from tribos._forms import xla
-from tribos._forms.manifold import CURVES
+from tribos._forms.manifold import ARGUMENTS, SIGNS, terms_in
 from tribos._forms.manifold import manifold_friction as _form
 
 
@@ -55,22 +56,20 @@ def manifold_friction(
     >>> print([round(float(x), 3) for x in (p[0], twist)])
     [0.445, 0.018]
     """
-    if isinstance(curve, str):
-        if curve not in CURVES:
-            raise ValueError(
-                f"tribos.jax.manifold_friction: curve must be one of {list(CURVES)} or three "
-                f"numbers, not {curve!r}"
-            )
-        curve = CURVES[curve]
+    name = "tribos.jax.manifold_friction"
+    given = (twist, force, lever, k, kt, slip, *terms_in(name, curve, steps))
+    for key, x in zip(ARGUMENTS[1:], given):
+        if key in SIGNS:
+            check_sign(name, key, x, above=SIGNS[key])
     rows = jnp.asarray(impulses)
     if rows.shape[-1:] != (2,):
-        raise ValueError(
-            f"tribos.jax.manifold_friction: impulses must have shape (..., 2), not {rows.shape}"
-        )
+        raise ValueError(f"{name}: impulses must have shape (..., 2), not {rows.shape}")
     own = rows.dtype if jnp.issubdtype(rows.dtype, jnp.floating) else jnp.result_type(float)
     # Half precision has too few digits to compute with.
     dtype = jnp.dtype(jnp.float32) if jnp.dtype(own).itemsize < 4 else own
-    numbers = [jnp.asarray(x, dtype) for x in (twist, force, lever, k, kt, slip, *curve)]
+    numbers = [jnp.asarray(x, dtype) for x in given]
+    shapes = {key: x.shape for key, x in zip(ARGUMENTS[1:], numbers)}
+    axes_of(name, {ARGUMENTS[0]: rows.shape[:-1], **shapes})
     made = _carried(steps, rows.astype(dtype), *numbers)
     return made[0].astype(own), made[1].astype(own)
 

@@ -46,8 +46,8 @@ and of a disk's rim the second derivative is infinite as a logarithm is, of a ri
 numbers stand in for them. `planar_step` has finite derivatives everywhere, because an implicit step
 smooths the jump, and its motion after a step that ends at rest has a derivative of exactly zero; so a
 body that has come to rest passes no gradient on, which is right but may surprise an optimiser. NaN gives
-NaN in its row alone, and so does an infinite twist or wrench. Negative loads and the like are refused
-where they are numbers or arrays of numpy.
+NaN in its row alone, and so does an infinite twist or wrench. Negative loads and coefficients
+are refused where they are numbers or arrays of numpy, and by the kernel; NaN comes of them in XLA.
 
 *Softening*: ``soft`` is a speed in m/s. With D the power of dry friction over ``mu * load``, a speed,
 softened friction is D/sqrt(D² + soft²) times dry friction: minus the gradient of the convex potential
@@ -68,6 +68,7 @@ from typing import Any, NamedTuple
 import jax.numpy as jnp
 
 from tribos import _gradients, _jax_callback, _jax_native
+from tribos._arguments import axes_of, friction_in
 from tribos._checks import positive
 from tribos._forms.pushed_path import Journey
 from tribos._forms.pushing import PointContact, Push
@@ -414,11 +415,19 @@ def slide(
     >>> print(f"{distance(12.5):.4f} {jax.grad(distance)(12.5):.5f}")
     0.2166 0.00789
     """
-    operation = _gradients.Slide(friction, positive("inertia_ratio", inertia_ratio))
+    ratio = positive("inertia_ratio", inertia_ratio)
+    operation = _gradients.Slide(friction_in("tribos.jax.slide", friction), ratio)
     # Numbers of Python take the type of the arrays.
-    given = [
-        x if isinstance(x, (bool, int, float)) else jnp.asarray(x)
-        for x in (speed, spin, gravity, operation.own(radius))
-    ]
-    dtype = jnp.result_type(float, *given)
-    return Slide(*_jax_callback.applied(operation, *(jnp.asarray(x, dtype) for x in given)))
+    given = {
+        key: x if isinstance(x, (bool, int, float)) else jnp.asarray(x)
+        for key, x in (
+            ("speed", speed),
+            ("spin", spin),
+            ("gravity", gravity),
+            ("radius", operation.own(radius)),
+        )
+    }
+    axes_of("tribos.jax.slide", {key: jnp.shape(x) for key, x in given.items()})
+    dtype = jnp.result_type(float, *given.values())
+    arrays = (jnp.asarray(x, dtype) for x in given.values())
+    return Slide(*_jax_callback.applied(operation, *arrays))

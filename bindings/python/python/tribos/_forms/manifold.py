@@ -19,6 +19,20 @@ CURVES = {
 }
 """h₁, h₂ and h₄ of disks and squares, of rings and feet at the corners of a square, and of x² + y² = 1."""
 
+#: The arguments of functions of arrays in their order, with the curve's coefficients, and whether numbers are above 0 or at least 0.
+ARGUMENTS = (
+    "impulses",
+    "twist",
+    "force",
+    "lever",
+    "k",
+    "kt",
+    "slip",
+    "curve 1",
+    "curve 2",
+    "curve 4",
+)
+SIGNS = {"force": False, "lever": False, "k": True, "kt": False, "slip": True}
 #: Where denominators that may be zero end, and least argument of a root, so that its second derivative is finite.
 TINY = {"float32": 1e-18, "float64": 1e-100}
 #: As in the kernel: least share of a weight, widening of the circle from which the search starts, steps for its
@@ -28,6 +42,18 @@ LONGEST_STEP, SHORT_STEP = 0.6, 1e-4
 #: Least slope of the equation, of the largest weight: its square has a reciprocal.
 LEAST_DESCENT = 1e-12
 DIAGONAL = 0.5**0.5
+
+
+def terms_in(name: str, curve: Any, steps: Any) -> tuple[Any, Any, Any]:
+    """The three coefficients of a curve, in an argument of a function; its steps are looked at, too."""
+    if not isinstance(steps, int) or steps < 1:
+        raise ValueError(f"{name}: steps must be a whole number > 0, not {steps!r}")
+    terms = CURVES.get(curve) if isinstance(curve, str) else curve
+    if terms is None or len(terms) != 3:
+        raise ValueError(
+            f"{name}: curve must be one of {list(CURVES)} or three numbers, not {curve!r}"
+        )
+    return terms[0], terms[1], terms[2]
 
 
 class _Scaled(NamedTuple):

@@ -69,7 +69,7 @@ def gauge(space: Space, form: Form, wrenches: Any, limit: Any) -> Any:
     nothing = is_none(space, wrenches)
     _, gauges = _on_rays(space, form, wrenches, nothing)
     has_none = limit == 0.0
-    made = gauges / space.where(has_none, 1.0, _not_negative(space, limit))
+    made = gauges / space.where(has_none, 1.0, not_negative(space, limit))
     infinite = space.constant(float("inf"), made)
     return space.where(nothing, 0.0, space.where(has_none, infinite, made))
 
@@ -97,13 +97,14 @@ def project(space: Space, form: Form, wrenches: Any, limit: Any, length: Any) ->
 def nearest(space: Space, form: Form, wrenches: Any, limit: Any) -> tuple[Any, Any]:
     """The same by |force|² + torque²; for wrenches in the set any numbers."""
     points, normals, beyond = _nearest(space, form)(
-        wrenches, _not_negative(space, limit), *form.arrays
+        wrenches, not_negative(space, limit), *form.arrays
     )
     width = COLLAR * space.epsilon(beyond) * space.still(dot(space, normals, points))
     return points, space.still(beyond) <= width
 
 
-def _not_negative(space: Space, limit: Any) -> Any:
+def not_negative(space: Space, limit: Any) -> Any:
+    """A force limit, NaN for one below 0."""
     return space.where(limit >= 0.0, limit, space.constant(float("nan"), limit))
 
 

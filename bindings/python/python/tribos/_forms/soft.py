@@ -13,12 +13,13 @@ from typing import Any, NamedTuple
 
 from tribos._forms import sets
 from tribos._forms.form import Form
-from tribos._forms.sets import is_none
+from tribos._forms.sets import is_none, not_negative
 from tribos._forms.space import Space
 
 
 def support(space: Space, form: Form, twists: Any, limit: Any, soft: Any = None) -> Any:
-    """Power of dry friction, or the potential of softened friction."""
+    """Power of dry friction, or the potential of softened friction; NaN under a negative limit."""
+    limit = not_negative(space, limit)
     if soft is None:
         return limit * sets.support(space, form, twists)
     at = _softened(space, form, twists, soft)
@@ -27,6 +28,7 @@ def support(space: Space, form: Form, twists: Any, limit: Any, soft: Any = None)
 
 def wrench(space: Space, form: Form, twists: Any, limit: Any, soft: Any = None) -> Any:
     """Friction, minus the gradient of the support."""
+    limit = not_negative(space, limit)
     if soft is None:
         return sets.scaled(space, limit, form.wrench(space, twists))
     at = _softened(space, form, twists, soft)
@@ -42,6 +44,7 @@ def wrench(space: Space, form: Form, twists: Any, limit: Any, soft: Any = None) 
 
 def jacobian(space: Space, form: Form, twists: Any, limit: Any, soft: Any = None) -> Any:
     """Derivatives of friction by the twist, of shape (..., 3, 3); without softening 0 at rest."""
+    limit = not_negative(space, limit)
     xx, xy, yy, xt, yt, tt = form.hessian(space, twists)
     rows: Any = ((xx, xy, xt), (xy, yy, yt), (xt, yt, tt))
     if soft is None:
@@ -79,24 +82,25 @@ def _softened(space: Space, form: Form, twists: Any, soft: Any) -> _Softened:
     push = space.apart(-form.wrench(space, twists))
     power = sets.support(space, form, twists)
     unit = space.still(space.where(power < soft, soft + 0.0 * power, power))
-    # Without softening there is nothing at rest.
     unit = space.where(unit == 0.0, 1.0, unit)
-    slopes = _slopes_at_rest(form.centre(space), form.spin(space))
+    # Without softening there is nothing at rest.
+    is_soft = space.still(space.where(soft > 0.0, 1.0 + 0.0 * power, 0.0 * power))
+    slopes = _slopes_at_rest(form.centre(space), form.spin(space), is_soft)
     x, y, spin = (part / unit for part in space.parts(twists))
     (cx, cy), arm = form.centre(space), form.spin(space)
     u, v, turn = x - spin * cy, y + spin * cx, spin * arm
     is_rest, power, soft = is_none(space, twists), power / unit, soft / unit
-    square = space.where(is_rest, u * u + v * v + turn * turn, power * power)
+    square = space.where(is_rest, is_soft * (u * u + v * v + turn * turn), power * power)
     whole = square + soft * soft
     root = space.sqrt(space.where(whole == 0.0, 1.0, whole))
     return _Softened(is_rest, space.parts(push), unit, power, soft, square, root, slopes)
 
 
-def _slopes_at_rest(centre: tuple[Any, Any], arm: Any) -> Any:
-    """Half of the second derivatives of u² + (T w)² by the motion of the origin."""
-    x, y = centre
-    one, none = 1.0 + 0.0 * x, 0.0 * x
-    return (one, none, -y), (none, one, x), (-y, x, x * x + y * y + arm * arm)
+def _slopes_at_rest(centre: tuple[Any, Any], arm: Any, one: Any) -> Any:
+    """Half of the second derivatives of u² + (T w)² by the motion of the origin, times a number."""
+    x, y = one * centre[0], one * centre[1]
+    none, turn = 0.0 * x, one * (arm * arm)
+    return (one, none, -y), (none, one, x), (-y, x, turn + x * centre[0] + y * centre[1])
 
 
 def _matrix(space: Space, rows: Any) -> Any:
