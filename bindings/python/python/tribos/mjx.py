@@ -63,7 +63,8 @@ from mujoco import mjx
 from numpy.typing import NDArray
 
 import tribos.jax
-from tribos import _jax_native, _mjx_model, _mjx_place, _mjx_solve
+from tribos import _mjx_model, _mjx_place, _mjx_solve
+from tribos._forms import of_friction
 from tribos._friction import Friction
 from tribos._gradients import length_of
 from tribos._mjx_model import Name
@@ -292,18 +293,18 @@ def _alike(frictions: Sequence[Friction]) -> list[_Alike]:
     """Feet by the kinds of their patches."""
     kinds: dict[Any, list[int]] = {}
     for at, friction in enumerate(frictions):
-        kinds.setdefault(_jax_native.kind_of(friction) or friction.patch, []).append(at)
+        kinds.setdefault(of_friction.kind_of(friction) or friction.patch, []).append(at)
     made = []
     for kind, members in kinds.items():
         unit = Friction(frictions[members[0]].patch, mu=1.0)
         sizes: dict[str, Any] = {}
-        if kind == _jax_native.FLAT:
-            corners = [list(_jax_native.size_of(frictions[at])) for at in members]
+        if kind == of_friction.FLAT:
+            corners = [list(of_friction.size_of(frictions[at])) for at in members]
             most = max(map(len, corners))
             # Repeated corners count once.
             sizes["corners"] = np.array([one + one[-1:] * (most - len(one)) for one in corners])
         elif isinstance(kind, str):
-            sizes["radius"] = np.array([_jax_native.size_of(frictions[at]) for at in members])
+            sizes["radius"] = np.array([of_friction.size_of(frictions[at]) for at in members])
         made.append(_Alike(unit, np.array(members), sizes))
     return made
 
