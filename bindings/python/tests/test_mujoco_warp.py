@@ -29,7 +29,7 @@ SETTLED, LAUNCHED = 40, 200
 # Two bodies that spin, a ball, three legs with the centre of mass on the floor, and a disc on a slab.
 SCENE = f"""
 <mujoco>
-  <option timestep="{STEP}" gravity="0 0 {-GRAVITY}"/>
+  <option timestep="{STEP}" gravity="0 0 {-GRAVITY}" solver="CG"/>
   <default><geom contype="0"/></default>
   <worldbody>
     <geom name="ice" type="plane" size="50 50 0.1" contype="1"/>
