@@ -193,16 +193,14 @@ def test_not_a_number_stays_in_its_row(derivatives_of_power, nearest) -> None:
 
 
 @pytest.mark.parametrize("friction", [RING, FOOT], ids=lambda one: one.patch.kind)
-def test_limit_surfaces_are_those_of_the_kernel(friction: tribos.Friction, as_users: Any) -> None:
+def test_limit_surfaces_are_those_of_the_kernel(friction: tribos.Friction) -> None:
     arm = friction.patch.radius + np.hypot(*friction.patch.centre)
     rows, loads = wrenches(300, arm), np.linspace(0.5, 2.0, 300)
     surface, size = friction.limit_surface(loads), np.array([1.0, 1.0, arm])
     most = {"polygon": 1e-12}.get(friction.patch.kind, 2e-15)
     levers = arm * np.exp(np.linspace(-2.3, 2.3, 300))
     project = lambda rows, loads, levers: tj.project(friction, rows, loads, length=levers)  # noqa: E731
-    made = (partial(as_users, project) if friction is RING else jax.jit(project))(
-        rows, loads, levers
-    )
+    made = jax.jit(project)(rows, loads, levers)
     wanted = np.stack(
         [
             friction.limit_surface(load).project(row, length=lever)
@@ -268,7 +266,7 @@ def test_planar_steps_are_those_of_the_kernel(friction: tribos.Friction, as_user
     assert not made.twists[made.at_rest].any()
     if friction is not DISK:
         return
-    single = step(*(x.astype(np.float32) for x in (twists, pushes, loads)))
+    single = jax.jit(step)(*(x.astype(np.float32) for x in (twists, pushes, loads)))
     assert single.twists.dtype == np.float32
     same = np.asarray(single.at_rest) == wanted.at_rest
     assert same.mean() > 0.995
