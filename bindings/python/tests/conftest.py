@@ -1,9 +1,16 @@
-"""Where the tables of the repository are."""
+"""Where the tables of the repository are, and how JAX compiles in tests.
+
+With TRIBOS_LONG=1 there are tests of minutes besides, and XLA compiles as it does for users.
+"""
 
 import csv
+import importlib.util
+import mmap
 import os
 import signal
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,6 +21,35 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 
 HERE = Path(__file__).resolve().parent
 REPOSITORY = Path(os.environ.get("TRIBOS_REPOSITORY", HERE.parents[2])).resolve()
+
+
+LONG = bool(os.environ.get("TRIBOS_LONG"))
+takes_long = pytest.mark.skipif(not LONG, reason="takes minutes: TRIBOS_LONG=1")
+
+QUICK = {"xla_backend_optimization_level": 0, "xla_cpu_use_fusion_emitters": False}
+"""Options with which XLA compiles in a third of the time, programs that are slower."""
+USERS = {"xla_backend_optimization_level": 3, "xla_cpu_use_fusion_emitters": True}
+"""What these are by default."""
+
+
+def knows(option: str) -> bool:
+    """Whether this XLA has an option: one that it does not know would end the process."""
+    found = importlib.util.find_spec("jaxlib")
+    if found is None or found.origin is None:
+        return False
+    for library in Path(found.origin).parent.glob("*jax_common.*"):
+        with open(library, "rb") as file:
+            with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
+                if text.find(option.encode()) >= 0:
+                    return True
+    return False
+
+
+IS_QUICK = not LONG and all(map(knows, QUICK))
+if IS_QUICK:
+    # Programs that tests start have it from here, too.
+    given = [f"--{name}={str(value).lower()}" for name, value in QUICK.items()]
+    os.environ["XLA_FLAGS"] = " ".join([*given, os.environ.get("XLA_FLAGS", "")])
 
 
 PATCHES = [
@@ -32,6 +68,17 @@ PATCHES = [
     tribos.ring(0.04),
 ]
 """A patch of each kind."""
+
+
+@pytest.fixture(scope="session")
+def as_users() -> Callable[..., Any]:
+    """Calls a function as JAX compiles it by default."""
+    import jax
+
+    def call(of: Callable[..., Any], *arguments: Any) -> Any:
+        return jax.jit(of).lower(*arguments).compile(USERS if IS_QUICK else None)(*arguments)
+
+    return call
 
 
 @pytest.fixture

@@ -28,7 +28,8 @@ MISSING = [package for package in OPTIONAL if importlib.util.find_spec(package) 
 def can_be_imported(module: str) -> bool:
     try:
         importlib.import_module(module)
-    except ModuleNotFoundError as error:
+    except ImportError as error:
+        # MJX is a part of MuJoCo's package, which may be there without it.
         if (error.name or "").partition(".")[0] not in OPTIONAL:
             raise
         return False

@@ -251,12 +251,13 @@ def test_sides_are_those_of_the_outline() -> None:
     places = [[2.5, 1.0], [1.0, 3.0], [3.0, -0.1], [0.3, 0.2], [0.0, 0.0], [4.0, 0.3]]
     sides = np.array([_native.nearest_side([outer, hole], place) for place in places])
     at = tj.PointContact(jnp.array(places), jnp.array(2.0 * sides[:, 0]), 0.0)
+    reach_of = jax.jit(reach_on)
     for loops in ([outer, hole], [outer[::-1], hole[::-1]]):
-        reach = reach_on([jnp.array(loop) for loop in loops], at)
+        reach = reach_of([jnp.array(loop) for loop in loops], at)
         np.testing.assert_allclose(np.transpose(reach), sides[:, 1], atol=1e-12)
     # Another normal is that of a flat pusher at a corner.
     corner = tj.PointContact(jnp.array([4.0, 0.0]), jnp.array([-1.0, 1.0]), 0.0)
-    assert np.isinf(reach_on([jnp.array(outer)], corner)).all()
+    assert np.isinf(reach_of([jnp.array(outer)], corner)).all()
 
 
 def test_wrong_pushes_are_refused() -> None:

@@ -1,11 +1,14 @@
-"""Exact friction of patches in MJX."""
+"""Exact friction of patches in MJX.
 
-import os
+TRIBOS_LONG=1: a capsule between fingers, and derivatives of the place where a puck comes to rest.
+"""
+
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import tribos
+from conftest import takes_long
 
 jax = pytest.importorskip("jax")
 mujoco = pytest.importorskip("mujoco")
@@ -15,10 +18,6 @@ import jax.numpy as jnp  # noqa: E402
 import tribos.mjx  # noqa: E402
 import tribos.mujoco  # noqa: E402
 from tribos import _mjx_model, _mjx_solve  # noqa: E402
-
-takes_long = pytest.mark.skipif(
-    not os.environ.get("TRIBOS_LONG"), reason="compiles for minutes: TRIBOS_LONG=1"
-)
 
 MU, GRAVITY, SPEED, DT = 0.3, 10.0, 1.0, 2e-3  # -, m/s², m/s, s
 SPINS = np.array([0.0, 5.0, 12.5, 25.0, 50.0])  # rad/s
@@ -48,11 +47,6 @@ FEET = {"puck": DISK, "box": BOX} | dict.fromkeys(LEGS, LEG)
 SETTLE, STEPS = 80, 450
 
 
-def compiled(function):
-    """A function that is compiled quickly, not one that is quick."""
-    return jax.jit(function, compiler_options={"xla_backend_optimization_level": 0})
-
-
 @pytest.fixture(scope="module")
 def wide():
     """Numbers of 64 bits."""
@@ -78,7 +72,7 @@ def thrown(wide):
         start = feet.start(mjx.make_data(m))
         return jax.lax.scan(step, start, jnp.arange(SETTLE + STEPS))
 
-    last, (places, velocities) = compiled(jax.vmap(run))(jnp.array(SPINS))
+    last, (places, velocities) = jax.jit(jax.vmap(run))(jnp.array(SPINS))
     return SimpleNamespace(
         model=model, feet=feet, state=feet.state(last), places=places, velocities=velocities
     )
@@ -159,7 +153,7 @@ def solved(wide):
         found = _mjx_solve.solve(sets, compliance, velocity, rate, jnp.zeros((3, 3)), 1e-2)
         return (along * found.friction).sum(), found
 
-    return compliance, compiled(jax.value_and_grad(part, argnums=(0, 1, 2), has_aux=True))
+    return compliance, jax.jit(jax.value_and_grad(part, argnums=(0, 1, 2), has_aux=True))
 
 
 LIMITS, RADII = np.array([3.0, 1.0, 2.0]), [1.0, 0.5, 2.0]
@@ -309,7 +303,7 @@ def test_a_capsule_between_two_fingers_hangs_still_or_falls(wide):
 
         return jax.lax.scan(step, feet.start(d), None, length=1500)
 
-    last, heights = compiled(jax.vmap(run))(jnp.array([2.0, 20.0, 95.0, 0.8]))
+    last, heights = jax.jit(jax.vmap(run))(jnp.array([2.0, 20.0, 95.0, 0.8]))
     held = np.stack([state.is_held for state in feet.state(last).values()])
     assert np.array_equal(held, [[True, True, True, False]] * 2)
     # From the first touch on, which is known a step late.
@@ -341,7 +335,7 @@ def test_the_resting_place_has_the_derivatives_of_the_exact_slider(wide, mode):
         step = jax.checkpoint(lambda d, _: (tribos.mjx.step(m, d, feet, mu=mu), None))
         return jax.lax.scan(step, feet.start(mjx.forward(m, d)), None, length=600)[0].qpos[0]
 
-    by_spin, by_mu = compiled(mode(travel))(jnp.array([12.5, MU]))
+    by_spin, by_mu = jax.jit(mode(travel))(jnp.array([12.5, MU]))
     exact = tribos.slide_jacobian(
         DISK,
         SPEED,

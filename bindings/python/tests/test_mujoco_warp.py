@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tempfile
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -24,12 +25,14 @@ SPINS = np.array([0.0, 5.0, 12.5, 25.0, 50.0])
 LEGS = 0.1 * np.array([[np.cos(a), np.sin(a)] for a in (0.0, 2 * np.pi / 3, 4 * np.pi / 3)])
 SETTLED, LAUNCHED = 40, 200
 
+# No others touch: Warp compiles searches for each pair of shapes that could.
 # Two bodies that spin, a ball, three legs with the centre of mass on the floor, and a disc on a slab.
 SCENE = f"""
 <mujoco>
-  <option timestep="{STEP}" gravity="0 0 {-GRAVITY}"/>
+  <option timestep="{STEP}" gravity="0 0 {-GRAVITY}" solver="CG"/>
+  <default><geom contype="0"/></default>
   <worldbody>
-    <geom name="ice" type="plane" size="50 50 0.1"/>
+    <geom name="ice" type="plane" size="50 50 0.1" contype="1"/>
     <body pos="0 0 0.01"><freejoint/>
       <geom name="puck" type="cylinder" size="0.05 0.01" mass="0.17"/></body>
     <body pos="0 5 0.01"><freejoint/>
@@ -41,9 +44,9 @@ SCENE = f"""
       {"".join(f'<geom name="leg{i}" type="sphere" size="0.01" pos="{x} {y} -0.02" mass="0"/>' for i, (x, y) in enumerate(LEGS))}
     </body>
     <body pos="0 20 0.02"><freejoint/>
-      <geom name="slab" type="box" size="0.5 0.5 0.02" mass="1"/></body>
+      <geom name="slab" type="box" size="0.5 0.5 0.02" mass="1" contype="2"/></body>
     <body pos="0 20 0.05"><freejoint/>
-      <geom name="disc" type="cylinder" size="0.05 0.01" mass="0.5"/></body>
+      <geom name="disc" type="cylinder" size="0.05 0.01" mass="0.5" conaffinity="2"/></body>
   </worldbody>
 </mujoco>
 """
@@ -171,6 +174,18 @@ def test_what_is_not_meant_is_refused_in_words():
             attached(feet, **others)
     with pytest.raises(ValueError, match="SolverMuJoCo"):
         tw.attach(None, puck, "ice")
+
+
+def test_the_parts_of_a_solver_are_taken():
+    names = mujoco.MjModel.from_xml_string(SCENE)
+    with wp.ScopedDevice("cpu"):
+        model = mjw.put_model(names)
+        data = mjw.put_data(names, mujoco.MjData(names), nworld=2)
+        solver = SimpleNamespace(mj_model=names, mjw_model=model, mjw_data=data)
+        feet = tw.attach(solver, {"puck": FEET["disc"]}, "ice")
+    assert feet.names == ("puck",) and feet.load.shape == (2, 1)
+    assert model.geom_condim.numpy()[:2].tolist() == [1, 1] and model.callback.passive is not None
+    feet.close()
 
 
 def test_closed_feet_leave_the_model_as_it_was():

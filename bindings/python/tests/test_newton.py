@@ -1,4 +1,7 @@
-"""Feet in Newton's SolverMuJoCo, on the processor: travel against the exact motion."""
+"""Feet in Newton's SolverMuJoCo, on the processor: travel against the exact motion.
+
+TRIBOS_LONG=1, as Warp compiles all of Newton's kernels; that a solver's parts are found is tested with MuJoCo Warp.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 import tribos
+from conftest import LONG
 
+if not LONG:
+    pytest.skip("takes long: TRIBOS_LONG=1", allow_module_level=True)
 wp = pytest.importorskip("warp")
 newton = pytest.importorskip("newton")
 pytest.importorskip("mujoco_warp")
