@@ -49,7 +49,10 @@ pub fn sqrtf(x: f32) -> f32 {
     return vsqrt(x);
     #[cfg(target_arch = "nvptx64")]
     return sqrt_rn!(x, f32, reg32, "sqrt.rn.f32");
-    #[cfg(not(any(all(target_arch = "arm", target_abi = "eabihf"), target_arch = "nvptx64")))]
+    #[cfg(not(any(
+        all(target_arch = "arm", target_abi = "eabihf"),
+        target_arch = "nvptx64"
+    )))]
     return libm::sqrtf(x);
 }
 

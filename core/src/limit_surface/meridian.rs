@@ -42,6 +42,7 @@ pub(super) struct Meridian<R, C> {
 
 /// What is prepared of a curve, for programs in other languages; where sliding leads first.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CurveNumbers<R> {
     /// Torque of pure spinning.
     pub spin_torque: R,

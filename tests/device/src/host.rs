@@ -30,7 +30,7 @@ macro_rules! listed {
                 [$(rows::widths(functions::$name::<f32>),)*][function as usize][1]
             }
 
-            pub(crate) fn draw<R: random::Drawn>(function: u64, seed: u64, inputs: &mut [R]) {
+            pub(crate) fn draw<R: random::RandomReal>(function: u64, seed: u64, inputs: &mut [R]) {
                 let fills: &[fn(u64, &mut [R])] =
                     &[$(|seed, inputs| rows::fill(seed, inputs, rows::$rows),)*];
                 fills[function as usize](seed, inputs);

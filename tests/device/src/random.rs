@@ -3,7 +3,7 @@
 use tribos_core::Real;
 
 /// A precision with the numbers that nobody means.
-pub(crate) trait Drawn: Real {
+pub(crate) trait RandomReal: Real {
     const REACH: u64;
     const ODD: [Self; 12];
     /// The same bits, or both no numbers: processors fill these differently.
@@ -12,7 +12,7 @@ pub(crate) trait Drawn: Real {
 
 macro_rules! drawn {
     ($real:ident, $reach:literal) => {
-        impl Drawn for $real {
+        impl RandomReal for $real {
             const REACH: u64 = $reach;
             const ODD: [Self; 12] = [
                 $real::NAN,
@@ -44,7 +44,7 @@ pub(crate) struct Random {
 }
 
 impl Random {
-    pub(crate) fn new<R: Drawn>(seed: u64) -> Self {
+    pub(crate) fn new<R: RandomReal>(seed: u64) -> Self {
         let reach = R::REACH;
         Self { state: seed, reach }
     }

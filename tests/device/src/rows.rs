@@ -3,7 +3,7 @@
 //! Sizes are spread over octaves, motions over the cases that a closed form may treat apart. One row in eight has numbers
 //! that nobody means: no numbers, infinities, zeros of both signs, subnormal numbers, the ends of the range.
 
-use crate::random::{Drawn, Random};
+use crate::random::{Random, RandomReal};
 use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface};
 use tribos_core::twist::Twist;
@@ -111,7 +111,7 @@ fn joined<const IN: usize>(parts: [&[f64]; 2]) -> [f64; IN] {
 }
 
 /// Fills a table with rows, in which one or two numbers may become odd.
-pub(crate) fn fill<R: Drawn, const IN: usize>(
+pub(crate) fn fill<R: RandomReal, const IN: usize>(
     seed: u64,
     inputs: &mut [R],
     draw: fn(&mut Random) -> [f64; IN],
@@ -134,7 +134,7 @@ pub(crate) fn widths<R, const IN: usize, const OUT: usize>(_: fn([R; IN]) -> [R;
 }
 
 /// The number of rows of `width` numbers that are not the same.
-pub(crate) fn differing<R: Drawn>(one: &[R], other: &[R], width: usize) -> u64 {
+pub(crate) fn differing<R: RandomReal>(one: &[R], other: &[R], width: usize) -> u64 {
     let rows = one.chunks_exact(width).zip(other.chunks_exact(width));
     rows.filter(|(a, b)| !a.iter().zip(*b).all(|(a, b)| a.is_same(*b)))
         .count() as u64

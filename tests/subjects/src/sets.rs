@@ -81,6 +81,7 @@ fn round<R: Real, C: DryReducedFriction<R>>(
             .into_iter()
             .chain([set.torque_limit()]),
     );
+    input.give(set.curve_numbers().powers.into_iter().flatten());
     let (pushes, length) = ([(); BATCH].map(|()| wrench(input)), input.positive());
     let loads = [(); BATCH].map(|()| input.size::<R>());
     let mut gauges = [R::NAN; BATCH];

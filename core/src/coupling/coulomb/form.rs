@@ -20,6 +20,7 @@ pub(crate) struct Terms<const SINGLE: usize, const DOUBLE: usize> {
 /// Fitted terms for programs in other languages: rows from the constant term on, of the regular parts of two functions
 /// and of their singular parts, where spinning leads and where sliding does.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FittedRows {
     /// In f32.
     pub single: [&'static [[f32; 4]]; 2],
