@@ -383,7 +383,7 @@ def test_arguments_without_sense_are_refused():
     m = mjx.put_model(model)
     d = feet.start(mjx.make_data(m))
     many = jax.tree.map(lambda x: jnp.stack([x, x]), d)
-    step, stribeck = tribos.mjx.step, tribos.Friction(tribos.disk(0.05), law="stribeck")
+    step, viscous = tribos.mjx.step, tribos.Friction(tribos.disk(0.05), mu=0.3, alpha=0.5)
     for words, call in (
         (r"feet takes a mujoco\.MjModel", lambda: tribos.mjx.feet(m, [KEYS])),
         (r"start takes data of MJX", lambda: feet.start(mujoco.MjData(model))),
@@ -402,7 +402,7 @@ def test_arguments_without_sense_are_refused():
         (r"mu is missing", lambda: tribos.mjx.feet(model, [KEYS | {"mu": None}])),
         (
             r"feet take Coulomb friction \(mu=",
-            lambda: tribos.mjx.feet(model, {"puck": stribeck}, "ice"),
+            lambda: tribos.mjx.feet(model, {"puck": viscous}, "ice"),
         ),
         (
             r"give mu= to the function of tribos\.jax",

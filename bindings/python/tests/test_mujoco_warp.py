@@ -184,7 +184,7 @@ def test_closed_feet_leave_the_model_as_it_was():
 
 def test_feet_are_attached_once_and_to_what_they_are_for():
     names = mujoco.MjModel.from_xml_string(SCENE.replace('name="puck"', 'name="puck_11"'))
-    stribeck = tribos.Friction(tribos.disk(0.05), law="stribeck")
+    viscous = tribos.Friction(tribos.disk(0.05), mu=0.3, alpha=0.5)
     with wp.ScopedDevice("cpu"):
         model, data = mjw.put_model(names), mjw.make_data(names)
         engine, disk = (names, model, data), FEET["disc"]
@@ -201,6 +201,6 @@ def test_feet_are_attached_once_and_to_what_they_are_for():
         with pytest.raises(ValueError, match="no geom 'leg'"):
             tw.attach(engine, {"leg": disk}, "ice")
         with pytest.raises(ValueError, match=r"feet take Coulomb friction \(mu="):
-            tw.attach(engine, {"puck": stribeck}, "ice")
+            tw.attach(engine, {"puck": viscous}, "ice")
         with pytest.warns(UserWarning, match="radius 0.01 m, geom 'puck_11' is a cylinder"):
             tw.attach(engine, {"puck": tribos.Friction(tribos.disk(0.01), mu=MU)}, "ice").close()
