@@ -346,3 +346,95 @@ def test_the_resting_place_has_the_derivatives_of_the_exact_slider(wide, mode):
     assert by_spin == pytest.approx(exact.distance_by.spin, rel=3e-3)
     # The travel is inversely proportional to mu.
     assert by_mu == pytest.approx(-exact.distance / MU, rel=3e-3)
+
+
+def test_a_foot_from_each_door_is_braked_by_its_load():
+    model = mujoco.MjModel.from_xml_string(
+        WORLD.split('<body pos="0 9')[0] + "</worldbody></mujoco>"
+    )
+    m = mjx.put_model(model)
+    doors = [tribos.mjx.feet(model, {"puck": DISK}, "ice"), tribos.mjx.feet(model, [KEYS])]
+
+    def friction(speed, mu):
+        d = mjx.make_data(m)
+        d = mjx.forward(m, d.replace(qvel=d.qvel.at[0].set(speed)))
+        made = [tribos.mjx.apply(m, feet.start(d), feet) for feet in doors]
+        last = tribos.mjx.apply(m, doors[0].start(d), doors[0], mu=mu, radius=jnp.array([0.02]))
+        states = [feet.state(d)["puck"] for d, feet in zip([*made, last], [*doors, doors[0]])]
+        return [one.load for one in states], [one.friction for one in states]
+
+    loads, found = compiled(friction)(1.0, -0.1)
+    assert loads[0] > 1.0
+    for load, one in zip(loads[:2], found):
+        assert np.allclose(one / load, [-MU, 0.0, 0.0], atol=1e-5)
+    # Negative numbers that are traced are not seen before.
+    assert np.isnan(found[2]).any()
+
+
+def test_arguments_without_sense_are_refused():
+    model, spec = one(), tribos.Friction(tribos.box(0.1, 0.1), mu=MU)
+    feet, boxes = tribos.mjx.feet(model, [KEYS]), tribos.mjx.feet(model, {"puck": spec}, "ice")
+    m = mjx.put_model(model)
+    d = feet.start(mjx.make_data(m))
+    many = jax.tree.map(lambda x: jnp.stack([x, x]), d)
+    step, viscous = tribos.mjx.step, tribos.Friction(tribos.disk(0.05), mu=0.3, alpha=0.5)
+    for words, call in (
+        (r"feet takes a mujoco\.MjModel", lambda: tribos.mjx.feet(m, [KEYS])),
+        (r"start takes data of MJX", lambda: feet.start(mujoco.MjData(model))),
+        (r"in this order, not MjModel", lambda: step(model, d, feet)),
+        (r"in this order, not Data of MJX, Model of MJX", lambda: step(d, m, feet)),
+        (r"one world, not of \(2,\): for several use jax\.vmap", lambda: step(m, many, feet)),
+        (r"each foot \(1\), not \(64,\)", lambda: step(m, d, feet, mu=jnp.ones(64))),
+        (r"radius: a number, or one", lambda: step(m, d, feet, radius=np.ones((1, 1)))),
+        (r"mu must be >= 0", lambda: step(m, d, feet, mu=jnp.array(-0.1))),
+        (r"radius must be > 0", lambda: step(m, d, feet, radius=0.0)),
+        (r"not for tribos\.box.* of foot 'puck'", lambda: step(m, d, boxes, radius=0.1)),
+        (
+            r"body 2 has no joint, so that it is fixed",
+            lambda: tribos.mjx.feet(model, {"post": DISK}, "ice"),
+        ),
+        (r"mu is missing", lambda: tribos.mjx.feet(model, [KEYS | {"mu": None}])),
+        (
+            r"feet take Coulomb friction \(mu=",
+            lambda: tribos.mjx.feet(model, {"puck": viscous}, "ice"),
+        ),
+        (
+            r"give mu= to the function of tribos\.jax",
+            lambda: jax.jit(lambda x: tribos.Friction(tribos.disk(0.1), mu=x).mu)(0.3),
+        ),
+    ):
+        with pytest.raises(ValueError, match=words):
+            call()
+
+
+@pytest.mark.parametrize(
+    ("geom", "patch", "words"),
+    [
+        ("cylinder", tribos.disk(0.1), r"radius 0\.1 m, geom 'foot' is a cylinder of radius 0\.05"),
+        ("box", tribos.box(0.05, 0.03), r"sides 0\.05 x 0\.03 m.*full sides 0\.1 x 0\.06"),
+        ("box", tribos.box(0.1, 0.05), None),
+        ("box", tribos.disk(0.005), None),
+        ("cylinder", tribos.disk(0.04), None),
+        # On its side: y and z are its face.
+        ('box" euler="0 90 0', tribos.box(0.06, 0.02), None),
+    ],
+)
+def test_a_patch_of_another_size_than_its_geom_is_told_of(geom, patch, words):
+    size = "0.05 0.03 0.01" if geom.startswith("box") else "0.05 0.01"
+    model = mujoco.MjModel.from_xml_string(f"""
+    <mujoco><worldbody>
+      <geom name="ice" type="plane" size="1 1 0.1" condim="1"/>
+      <body><freejoint/><geom name="foot" type="{geom}" size="{size}" condim="1"/><site name="s"/></body>
+    </worldbody></mujoco>""")
+    foot = {"foot": tribos.Friction(patch, mu=MU)}
+    if words is None:
+        tribos.mjx.feet(model, foot, "ice")
+        return
+    with pytest.warns(UserWarning, match=words):
+        tribos.mjx.feet(model, foot, "ice")
+    with (
+        pytest.warns(UserWarning, match=words),
+        tribos.mujoco.attach(model, mujoco.MjData(model), foot, "ice"),
+    ):
+        pass
+    tribos.mjx.feet(model, foot, "ice", sites={"foot": "s"})

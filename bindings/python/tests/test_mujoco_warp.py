@@ -195,3 +195,27 @@ def test_closed_feet_leave_the_model_as_it_was():
     feet.close()
     feet.close()
     assert model.geom_condim.numpy()[:2].tolist() == [3, 3] and model.callback.passive is None
+
+
+def test_feet_are_attached_once_and_to_what_they_are_for():
+    names = mujoco.MjModel.from_xml_string(SCENE.replace('name="puck"', 'name="puck_11"'))
+    viscous = tribos.Friction(tribos.disk(0.05), mu=0.3, alpha=0.5)
+    with wp.ScopedDevice("cpu"):
+        model, data = mjw.put_model(names), mjw.make_data(names)
+        engine, disk = (names, model, data), FEET["disc"]
+        # A label of Newton's is that of the geom with a number behind.
+        with tw.attach(engine, {"puck": disk}, "ice"):
+            with pytest.raises(ValueError, match="feet already: close them first"):
+                tw.attach(engine, {"box": FEET["box"]}, "ice")
+        tw.attach(engine, {"puck_11": disk}, "ice").close()
+        assert model.callback.passive is None
+        with pytest.raises(ValueError, match=r"in this order, not \(MjModel, Data, Model\)"):
+            tw.attach((names, data, model), {"puck": disk}, "ice")
+        with pytest.raises(ValueError, match="in this order"):
+            tw.attach((model, names, data), {"puck": disk}, "ice")
+        with pytest.raises(ValueError, match="no geom 'leg'"):
+            tw.attach(engine, {"leg": disk}, "ice")
+        with pytest.raises(ValueError, match=r"feet take Coulomb friction \(mu="):
+            tw.attach(engine, {"puck": viscous}, "ice")
+        with pytest.warns(UserWarning, match="radius 0.01 m, geom 'puck_11' is a cylinder"):
+            tw.attach(engine, {"puck": tribos.Friction(tribos.disk(0.01), mu=MU)}, "ice").close()

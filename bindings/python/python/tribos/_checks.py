@@ -14,7 +14,10 @@ def number(name: str, value: object) -> float:
     try:
         made = float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError):
-        raise ValueError(f"{name} must be a number, not {value!r}") from None
+        hint = ""
+        if type(value).__module__.startswith("jax") and name in ("mu", "radius"):
+            hint = f"; where it is traced or an array give {name}= to the function of tribos.jax"
+        raise ValueError(f"{name} must be a number, not {value!r}{hint}") from None
     except OverflowError:
         made = math.inf
     if isinstance(value, str) or not math.isfinite(made):

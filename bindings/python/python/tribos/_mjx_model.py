@@ -8,7 +8,8 @@ from typing import Any, NamedTuple
 import mujoco
 import numpy as np
 
-from tribos import _patches
+from tribos import _mujoco_checks, _patches
+from tribos._checks import number
 from tribos._friction import Friction
 from tribos._mjx_place import Links
 from tribos._mjx_solve import Groups
@@ -64,7 +65,9 @@ def of_keys(keys: Mapping[str, Any]) -> Given:
     geoms, grounds = (_names(keys, key) for key in ("geom", "ground"))
     name = str(keys.get("name") or " ".join(geoms))
     try:
-        mu = float(str(keys.get("mu", "")))
+        if keys.get("mu") in (None, ""):
+            raise ValueError("mu is missing: give the coefficient of friction")
+        mu = number("mu", float(keys["mu"]) if isinstance(keys["mu"], str) else keys["mu"])
         return Given(
             name, Friction(_patch(keys), mu=mu), geoms, grounds, str(keys.get("site") or "")
         )
@@ -87,7 +90,7 @@ def of_mapping(
             raise ValueError(
                 f"the friction of {name!r} must be a tribos.Friction, not {friction!r}"
             )
-        _ = friction.mu  # laws without limit surface are refused here
+        _mujoco_checks.coefficient(name, friction)
         if not isinstance(floor, str) and name not in floor:
             raise ValueError(f"floor has no entry for {name!r}")
         ground = floor if isinstance(floor, str) else floor[name]
@@ -117,8 +120,11 @@ def link(model: Any, feet: Sequence[Given]) -> Links:
         under = tuple(_index(model, "geom", name) for name in foot.grounds)
         pair = (_body(model, foot, "geom", own), _body(model, foot, "ground", under))
         if pair[0] == pair[1]:
-            raise ValueError(f"foot {foot.name!r} and its ground are of one body")
+            why = _mujoco_checks.fixed(model, own[0])
+            raise ValueError(f"foot {foot.name!r} and its ground are of one body{why}")
         _check_contacts(model, own, under)
+        if len(own) == 1 and not foot.site:
+            _mujoco_checks.warn_of_size(model, foot.name, foot.friction.patch, own[0], under[0])
         geoms.append(own)
         grounds.append(under)
         bodies.append(pair)

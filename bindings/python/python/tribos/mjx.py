@@ -45,10 +45,15 @@ Friction acts by ``qfrc_applied``; what feet remember from step to step is in ``
 Derivatives
 -----------
 Those by the implicit function theorem, for forward and reverse mode, by the state, by parameters of the model, `mu` and
-`radius`. A body at rest passes zero on, no NaN.
+`radius`. A body at rest passes zero on, no NaN. Reverse mode needs ``<option iterations="1" ls_iterations="8"/>``: MJX's solver is
+a loop of unknown length otherwise; in float32 a cylinder that spins may hop then, a box does not. Forward mode takes any number.
+Derivatives through a thousand steps scatter by some percent in float32.
 
+Limits
+------
 Not here, but in the plugin: what a body slips on a floor that turns under it is not taken back, of first order in the step;
-conveyors.
+conveyors (``surfacevel``) take nothing along. Geoms may be of any kind, spheres and capsules as well: the whole body with all its
+joints is in the effective masses, so that they roll on their patch.
 """
 
 from __future__ import annotations
@@ -58,12 +63,14 @@ from typing import Any, NamedTuple
 
 import jax
 import jax.numpy as jnp
+import mujoco
 import numpy as np
 from mujoco import mjx
 from numpy.typing import NDArray
 
 import tribos.jax
 from tribos import _mjx_model, _mjx_place, _mjx_solve
+from tribos._arguments import check_sign
 from tribos._forms import of_friction
 from tribos._friction import Friction
 from tribos._gradients import length_of
@@ -120,6 +127,8 @@ class Feet:
         A reset of positions leaves contacts of before, as everywhere in MJX: `mujoco.mjx.forward` makes new ones, after which feet
         have friction in the first step.
         """
+        if not isinstance(d, mjx.Data):
+            raise ValueError(f"start takes data of MJX, from mjx.make_data(m), not {_kind(d)}")
         shape = (*d.qpos.shape[:-1], SIZE * len(self._names))
         return d.replace(plugin_state=jnp.zeros(shape, d.qpos.dtype))
 
@@ -137,6 +146,35 @@ class Feet:
                 missed=row[..., MISSED],
             )
         return made
+
+    def _each(self, key: str, given: Any) -> Any:
+        """An array (n,) of numbers that are given for all feet or for each; NaN for those that are negative and traced."""
+        count, shape = len(self._names), jnp.shape(given)
+        if shape not in ((), (count,)):
+            raise ValueError(
+                f"{key}: a number, or one for each foot ({count}), not {shape}; for worlds use jax.vmap"
+            )
+        if not isinstance(given, jax.core.Tracer):
+            # A concrete array of JAX is known, too.
+            check_sign("tribos.mjx", key, np.asarray(given), above=key == "radius")
+        made = jnp.broadcast_to(jnp.asarray(given), shape or (count,))
+        return jnp.where(made < 0.0, jnp.nan, made)
+
+    def _mu(self, given: Any) -> Any:
+        return self._mus if given is None else self._each("mu", given)
+
+    def _radius(self, given: Any) -> Any:
+        if given is None:
+            return None
+        others = [one for one in self._patches if "radius" not in one.sizes]
+        # One number is for all feet; of an array the numbers of round feet are read.
+        if others and (len(others) == len(self._patches) or jnp.ndim(given) == 0):
+            name = self._names[others[0].members[0]]
+            raise ValueError(
+                f"radius= is not for {others[0].friction.patch!r} of foot {name!r}, but for disk, ring, punch, hertz "
+                "and paraboloid; where only some feet are round, give one for each foot: those of others are not read"
+            )
+        return self._each("radius", given)
 
     def __repr__(self) -> str:
         return f"<tribos.mjx.Feet {list(self._names)}>"
@@ -175,6 +213,11 @@ def feet(
         For names that the model does not have, contacts that have friction of MuJoCo's own, geoms of one foot on several bodies,
         laws without a limit surface, the integrator RK4, feet that no joint moves on their floor, and geoms with two feet.
 
+    Warns
+    -----
+    UserWarning
+        For a box or disk that is more than 1.5 times larger or smaller than its box or cylinder, without a site.
+
     Examples
     --------
     >>> import mujoco, tribos.mjx
@@ -187,6 +230,10 @@ def feet(
     >>> tribos.mjx.feet(model, [keys])
     <tribos.mjx.Feet ['box']>
     """
+    if not isinstance(model, mujoco.MjModel):
+        raise ValueError(
+            f"feet takes a mujoco.MjModel, the one that mjx.put_model takes, not {_kind(model)}"
+        )
     if feet is None:
         given = _mjx_model.of_model(model)
     elif isinstance(feet, Mapping):
@@ -212,6 +259,7 @@ def step(m: Any, d: Any, feet: Feet, *, mu: Any = None, radius: Any = None) -> A
     mu, radius
         As for `apply`.
     """
+    _check_call("step", m, d, feet)
     own = d.qfrc_applied
     d = apply(m, d, feet, mu=mu, radius=radius)
     return mjx.step(m, d.replace(qfrc_applied=d.qfrc_applied + own)).replace(qfrc_applied=own)
@@ -227,10 +275,19 @@ def apply(m: Any, d: Any, feet: Feet, *, mu: Any = None, radius: Any = None) -> 
     feet
         From `feet`.
     mu
-        Coefficients of friction in place of the feet's own, for all or one for each foot; may be traced, so that each world has its own.
+        Coefficients of friction in place of the feet's own: a number for all, or one for each foot, in the order of `Feet.names`; may
+        be traced, so that each world has its own by ``vmap``. Negative ones are refused, or give NaN where they are traced.
     radius
-        Radii in m of round patches in place of the feet's own, in the same way.
+        Radii in m of disk, ring, punch, hertz and paraboloid in place of the feet's own, in the same way. Where only some feet
+        have such patches it is one for each foot, and those of others are not read.
+
+    Raises
+    ------
+    ValueError
+        For arguments of other types or in another order, data of several worlds, and `mu` and `radius` of other shapes or signs.
     """
+    _check_call("apply", m, d, feet)
+    mu, radius = feet._mu(mu), feet._radius(radius)
     links, dt = feet._links, m.opt.timestep
     state = _rows(feet, d)
     # Contacts, springs and effective masses of the step before, in the axes that go with the patch.
@@ -258,6 +315,26 @@ def apply(m: Any, d: Any, feet: Feet, *, mu: Any = None, radius: Any = None) -> 
     remembered = remembered.at[:, MISSED].set(parts[-1][:, 0])
     friction = jnp.einsum("nij,ni->j", rows, found.friction)
     return d.replace(qfrc_applied=friction, plugin_state=remembered.reshape(-1))
+
+
+def _kind(given: Any) -> str:
+    """What is given, in few words."""
+    where = "MJX" if isinstance(given, (mjx.Model, mjx.Data)) else type(given).__module__
+    return f"{type(given).__name__} of {where}"
+
+
+def _check_call(name: str, m: Any, d: Any, feet: Any) -> None:
+    """Whether the arguments are what they should be, of one world."""
+    wanted = (mjx.Model, mjx.Data, Feet)
+    if not all(isinstance(one, kind) for one, kind in zip((m, d, feet), wanted, strict=True)):
+        raise ValueError(
+            f"{name} takes a model and data of MJX and feet, from mjx.put_model(model), feet.start(mjx.make_data(m)) "
+            f"and tribos.mjx.feet(model, ...), in this order, not {_kind(m)}, {_kind(d)} and {_kind(feet)}"
+        )
+    if d.qpos.ndim != 1:
+        raise ValueError(
+            f"{name} takes the data of one world, not of {d.qpos.shape[:-1]}: for several use jax.vmap"
+        )
 
 
 def _turned(rates: Any, before: Any, after: Any) -> Any:
@@ -319,11 +396,10 @@ class _Sets(NamedTuple):
 
     @classmethod
     def of(cls, feet: Feet, touch: _mjx_place.Touch, mu: Any, radius: Any, dtype: Any) -> _Sets:
-        count = len(feet._names)
-        given = jnp.broadcast_to(jnp.asarray(feet._mus if mu is None else mu, dtype), (count,))
+        given = jnp.asarray(mu, dtype)
         arms = jnp.asarray(feet._arms, dtype)
         if radius is not None:
-            radius = jnp.broadcast_to(jnp.asarray(radius, dtype), (count,))
+            radius = jnp.asarray(radius, dtype)
             for one in feet._patches:
                 if "radius" in one.sizes:
                     share = radius[one.members] / one.sizes["radius"]

@@ -63,7 +63,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from tribos import _native
+from tribos import _mujoco_checks, _native
 from tribos._friction import Friction
 
 __all__ = ["Feet", "FootState", "attach", "paused"]
@@ -151,6 +151,12 @@ def attach(
         limit surface, the integrator RK4, disabled passive forces, feet that no joint moves on their
         floor, two feet with a geom on the same floor, a model that has feet already, and data of
         another model.
+
+    Warns
+    -----
+    UserWarning
+        For a box or disk that is more than 1.5 times larger or smaller than its box or cylinder, without
+        a site.
 
     Examples
     --------
@@ -432,15 +438,19 @@ def _given(
     floor = floor if isinstance(floor, str) else floor[name]
     ground = _index(model, "geom", floor)
     if body_of[ground] in bodies:
-        raise ValueError(f"foot {name!r} and its floor {floor!r} are of one body")
+        why = _mujoco_checks.fixed(model, geoms[0])
+        raise ValueError(f"foot {name!r} and its floor {floor!r} are of one body{why}")
+    mu = _mujoco_checks.coefficient(name, friction)
     if site is not None:
         frame = (2, _index(model, "site", site))
     else:
         frame = (0, geoms[0]) if len(geoms) == 1 else (1, int(model.geom_bodyid[geoms[0]]))
+    if frame[0] == 0:
+        _mujoco_checks.warn_of_size(model, name, friction.patch, geoms[0], ground)
     return _Given(
         name=repr(name),
         patch=friction.patch._handle,
-        mu=friction.mu,
+        mu=mu,
         geoms=geoms,
         floor=ground,
         bodies=(bodies.pop(), int(body_of[ground])),

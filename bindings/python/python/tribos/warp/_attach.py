@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import weakref
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
@@ -43,10 +44,12 @@ def attach(
     ----------
     engine
         A Newton ``SolverMuJoCo``, or a tuple of a ``mujoco.MjModel``, which knows the names, and the
-        MuJoCo Warp model and data made from it.
+        MuJoCo Warp model and data made from it, in this order. The extra ``warp`` brings warp-lang alone: install
+        mujoco-warp or newton as well.
     feet
         Dry friction of each foot, by the name of its geom, or by a tuple of names of geoms of one body
-        that share a patch: a disk, ring, punch, Hertz contact or paraboloid, or a box or polygon under
+        that share a patch. Newton's geoms have the label of their shape with a number behind, ``"box_1"`` (see
+        ``solver.mj_model.geom(i).name``): the label will do where it is that of one geom. Patches are a disk, ring, punch, Hertz contact or paraboloid, or a box or polygon under
         uniform pressure.
     floor
         Name of the geom that the feet stand on, or one for each foot.
@@ -81,9 +84,18 @@ def attach(
     Raises
     ------
     ValueError
-        For what is refused, in words.
+        For what is refused, in words; a model that has feet already is, too.
+
+    Warns
+    -----
+    UserWarning
+        For a box or disk that is more than 1.5 times larger or smaller than its box or cylinder, without a site.
     """
     return AttachedFeet(engine, feet, floor, sites=sites, mu=mu)
+
+
+# Feet that are attached; the callback of their model keeps them alive.
+_ATTACHED: weakref.WeakSet[AttachedFeet] = weakref.WeakSet()
 
 
 class _Simulation(NamedTuple):
@@ -122,6 +134,8 @@ class AttachedFeet:
         mu: ArrayLike | None,
     ) -> None:
         self._simulation = _simulation(engine)
+        if any(one._simulation.model is self._simulation.model for one in _ATTACHED):
+            raise ValueError("the model has feet already: close them first")
         self.names = tuple(feet)
         if not self.names:
             raise ValueError("give at least one foot")
@@ -143,6 +157,7 @@ class AttachedFeet:
         self._earlier = callback.passive
         callback.passive = self._step
         self._is_open = True
+        _ATTACHED.add(self)
 
     def __getattr__(self, name: str) -> Any:
         if name in ("mu", "load", "friction", "twist", "axes", "centre", "held"):
@@ -164,6 +179,7 @@ class AttachedFeet:
         if not self._is_open:
             return
         self._is_open = False
+        _ATTACHED.discard(self)
         for array, values in self._restore:
             array.assign(values)
         callback = self._simulation.model.callback
@@ -208,13 +224,17 @@ class AttachedFeet:
 
 
 def _simulation(engine: Any) -> _Simulation:
-    if isinstance(engine, tuple) and len(engine) == 3:
-        return _Simulation(*engine)
-    parts = [getattr(engine, part, None) for part in ("mj_model", "mjw_model", "mjw_data")]
-    if any(part is None for part in parts):
+    if isinstance(engine, tuple):
+        parts, found = list(engine), f"({', '.join(type(one).__name__ for one in engine)})"
+    else:
+        parts = [getattr(engine, part, None) for part in ("mj_model", "mjw_model", "mjw_data")]
+        found = repr(engine)
+    # What only a model of MuJoCo, a model and data of MuJoCo Warp have.
+    marks = ("names", "callback", "nworld")
+    if len(parts) != 3 or not all(map(hasattr, parts, marks)):
         raise ValueError(
-            "attach takes a Newton SolverMuJoCo that runs on MuJoCo Warp, or a tuple of an MjModel "
-            f"and a MuJoCo Warp model and data, not {engine!r}"
+            "attach takes a Newton SolverMuJoCo that runs on MuJoCo Warp, or a tuple (MjModel, model of MuJoCo Warp, "
+            f"data of MuJoCo Warp) in this order, not {found}"
         )
     return _Simulation(*parts)
 

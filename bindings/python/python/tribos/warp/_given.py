@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from tribos import _mujoco_checks
 from tribos._friction import Friction
 from tribos.warp._feet import FREE, MOVED, OF_BODY, OF_GEOM
 from tribos.warp._forms import KINDS
@@ -64,7 +65,8 @@ def given_foot(
     ground = _index(model, "geom", floor)
     body, other = bodies.pop(), int(model.geom_bodyid[ground])
     if model.body_weldid[body] == model.body_weldid[other]:
-        raise ValueError(f"foot {name!r} and its floor {floor!r} are of one body")
+        why = _mujoco_checks.fixed(model, geoms[0])
+        raise ValueError(f"foot {name!r} and its floor {floor!r} are of one body{why}")
     if not _is_free(model, body):
         raise ValueError(
             f"the body of foot {name!r} must hang on a free joint and have no moving parts: "
@@ -79,8 +81,10 @@ def given_foot(
         frame = (_OF_SITE, _index(model, "site", site))
     else:
         frame = (int(OF_GEOM), geoms[0]) if len(geoms) == 1 else (int(OF_BODY), body)
-    shape = _shape(name, friction)
-    return GivenFoot(geoms, ground, (body, other), kind, frame, shape, friction.mu)
+    mu, shape = _mujoco_checks.coefficient(name, friction), _shape(name, friction)
+    if frame[0] == OF_GEOM:
+        _mujoco_checks.warn_of_size(model, name, friction.patch, geoms[0], ground)
+    return GivenFoot(geoms, ground, (body, other), kind, frame, shape, mu)
 
 
 def _is_free(model: Any, body: int) -> bool:
@@ -143,9 +147,12 @@ def _index(model: Any, kind: str, name: object) -> int:
     index = mujoco.mj_name2id(model, kinds[kind], name) if isinstance(name, str) else -1
     if index < 0:
         count = model.ngeom if kind == "geom" else model.nsite
-        names: Iterable[str | None] = (
-            mujoco.mj_id2name(model, kinds[kind], i) for i in range(count)
-        )
+        names: list[str] = [mujoco.mj_id2name(model, kinds[kind], i) or "" for i in range(count)]
+        # Newton adds the number of a shape to its label.
+        parts = [one.rpartition("_") for one in names]
+        labelled = [i for i, (label, _, end) in enumerate(parts) if label == name and end.isdigit()]
+        if kind == "geom" and len(labelled) == 1:
+            return labelled[0]
         known = ", ".join(repr(one) for one in names if one)
         raise ValueError(
             f"the model has no {kind} {name!r}; its named {kind}s are: {known or 'none'}"
