@@ -454,3 +454,32 @@ def test_what_is_wrong_is_refused_in_words() -> None:
     with pytest.raises(NotImplementedError, match="tribos.jax.support of .*first derivatives only"):
         power = lambda t: tj.support(DISK, t, 1.0, backend="callback")  # noqa: E731
         jax.hessian(power)(twist)
+
+
+def test_what_is_out_of_its_domain_is_refused_or_gives_nan() -> None:
+    puck = tribos.Friction(tribos.disk(0.04), mu=0.3)
+    box = tribos.Friction(tribos.box(0.3, 0.2), mu=0.3)
+    twist, none = jnp.array([1.0, 0.0, 20.0]), jnp.zeros(3)
+    body = {"mass": 0.17, "inertia": 1.36e-4, "dt": 1e-3}
+
+    @jax.jit
+    def traced(x: jax.Array) -> list[jax.Array]:
+        made = [tj.wrench(puck, twist, 1.7, radius=x), tj.project(puck, twist, 1.7, length=x)]
+        for key in body:
+            step = tj.planar_step(puck, twist, none, 1.7, **{**body, key: x})
+            made += [step.twists, step.friction]
+        return made
+
+    assert np.isfinite(traced(1e-3)).all()
+    for x in (0.0, -1e-3):
+        assert np.isnan(traced(x)).any(axis=-1).all()
+    for x in (0.0, -1e-3):
+        with pytest.raises(ValueError, match="dt must be > 0"):
+            tj.planar_step(puck, twist, none, 1.7, **{**body, "dt": x})
+    line = np.array([[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]])
+    with pytest.raises(ValueError, match="corners must bound an area"):
+        tj.wrench(box, twist, 1.7, corners=line)
+    # A pusher without direction and one without a velocity have no motion.
+    for normal, velocity in (([0.0, 0.0], [0.0, 1.0]), ([0.0, 1.0], [jnp.nan, 1.0])):
+        finger = tj.PointContact(jnp.array([0.0, -0.1]), jnp.array(normal), 0.3)
+        assert np.isnan(tj.push(box, finger, jnp.array(velocity), 1.7).twist).all()

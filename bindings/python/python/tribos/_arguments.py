@@ -30,6 +30,16 @@ def check_sign(name: str, key: str, given: Any, *, above: bool = False) -> None:
             raise ValueError(f"{name}: {key} must be {least}, not {given!r}")
 
 
+def check_area(name: str, corners: Any) -> None:
+    """Whether corners bound an area, where they are known."""
+    if isinstance(corners, np.ndarray):
+        x, y = np.moveaxis(corners.astype(np.float64), -1, 0)
+        x, y = x - x[..., :1], y - y[..., :1]
+        twice = x * np.roll(y, -1, axis=-1) - y * np.roll(x, -1, axis=-1)
+        if np.any(np.abs(twice.sum(axis=-1)) <= 1e-12 * np.abs(twice).sum(axis=-1)):
+            raise ValueError(f"{name}: corners must bound an area")
+
+
 def axes_of(name: str, shapes: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
     """The axes of arguments together."""
     try:
@@ -89,6 +99,10 @@ class Call:
         """An array in the type of what is computed."""
         raise NotImplementedError
 
+    def _above_zero(self, made: Any) -> Any:
+        """An array with NaN for what is not above 0."""
+        raise NotImplementedError
+
     def own(self, made: Any) -> Any:
         """A result in the type of the arguments."""
         raise NotImplementedError
@@ -146,6 +160,7 @@ class Call:
                     f"{self.name}: corners must have shape (..., n, 2) with n > 2, not {shape}"
                 )
             self.meet("corners", shape[:-2])
+            check_area(self.name, corners)
             return made
         if radius is not None:
             return self.number("radius", radius, above=True)
@@ -161,11 +176,11 @@ class Call:
         return made
 
     def number(self, key: str, given: Any, *, above: bool = False) -> Any:
-        """A number for each row, at least 0 or above 0 where it is known."""
+        """A number for each row, at least 0 or above 0 where it is known; else forms take NaN for what is not above 0."""
         check_sign(self.name, key, given, above=above)
         made = self._array(given)
         self.meet(key, tuple(made.shape))
-        return made
+        return made if self.kind is None or not above else self._above_zero(made)
 
     def under(self, load: Any) -> Any:
         """What loads the friction for the kernel."""

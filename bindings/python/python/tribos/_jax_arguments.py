@@ -33,6 +33,9 @@ class Call(_arguments.Call):
             return np.asarray(given, self.type)
         return jnp.asarray(given, self.type)
 
+    def _above_zero(self, made: Any) -> Any:
+        return made if isinstance(made, np.ndarray) else jnp.where(made > 0.0, made, jnp.nan)
+
     def own(self, made: Any) -> Any:
         return made if made.dtype == self.result else made.astype(self.result)
 

@@ -51,6 +51,9 @@ class Call(_arguments.Call):
         self.meet("angle", tuple(made.shape))
         return made
 
+    def _above_zero(self, made: Any) -> Any:
+        return torch.where(made > 0.0, made, torch.full_like(made, torch.nan))
+
     def own(self, made: Any) -> Any:
         return made.to(self.result)
 

@@ -37,7 +37,8 @@ unlike polygons make one tensor) that of the patch's. Leading axes of all argume
 *At rest* Coulomb friction jumps, and its derivative is infinite. Values and derivatives of a row at rest are zero, so that
 it disturbs no other row of a batch. `planar_step` has finite derivatives everywhere, and its motion after a step that ends
 at rest has a derivative of exactly zero. NaN gives NaN in its row alone. Negative loads and coefficients
-are refused where they are numbers or arrays of numpy, and by the kernel; NaN comes of them in forms.
+are refused where they are numbers or arrays of numpy, and by the kernel; NaN comes of them in forms, and of sizes, masses and time steps
+that are not above 0.
 
 *Softening*: ``soft`` is a speed in m/s. With D the power of dry friction over ``mu * load``, a speed, softened friction is
 D/sqrt(D² + soft²) times dry friction, see `tribos.jax`. `tribos.softened` has another law that is smooth at rest.

@@ -141,7 +141,10 @@ def push(space: Space, floor: Floor, contact: PointContact, velocity: Any) -> Pu
     ).only(space, is_pushed)
     # A pusher that moves away does so with its own velocity.
     own = space.stack([given.ux, given.uy])
-    return made._replace(slip=space.where(is_pushed[..., None], made.slip, own))
+    slip = space.where(is_pushed[..., None], made.slip, own)
+    # What is no number, or no direction, pushes nothing and has no motion.
+    nothing = sum(0.0 * part for part in given)
+    return made._replace(slip=slip, twist=made.twist + nothing[..., None])
 
 
 def _components(space: Space, contact: PointContact, velocity: Any) -> _Contact:
