@@ -200,6 +200,8 @@ impl From<LawError> for tribos_status {
                 "force limit" => Self::ForceLimit,
                 _ => Self::Negative,
             },
+            // Of rate and state alone, which C does not have.
+            LawError::NotFinite { .. } => Self::Negative,
             LawError::NotAFraction { .. } => Self::NotAFraction,
             LawError::Order { .. } => Self::Order,
         }

@@ -45,6 +45,13 @@ pub enum LawError {
         /// What was given.
         given: f64,
     },
+    /// A parameter of either sign is infinite or NaN.
+    NotFinite {
+        /// Which one.
+        parameter: &'static str,
+        /// What was given.
+        given: f64,
+    },
     /// A fraction is NaN or not in [0, 1].
     NotAFraction {
         /// Which one.
@@ -90,6 +97,9 @@ impl core::fmt::Display for LawError {
                     f,
                     "the {parameter} must be finite and not negative, not {given}"
                 )
+            }
+            Self::NotFinite { parameter, given } => {
+                write!(f, "the {parameter} must be finite, not {given}")
             }
             Self::NotAFraction { parameter, given } => {
                 write!(f, "the {parameter} must be between 0 and 1, not {given}")
@@ -141,6 +151,18 @@ pub(crate) fn not_negative<R: Real>(parameter: &'static str, value: R) -> Result
         Ok(value)
     } else {
         Err(LawError::Negative {
+            parameter,
+            given: value.to_f64(),
+        })
+    }
+}
+
+/// `value` if finite.
+pub(crate) fn finite<R: Real>(parameter: &'static str, value: R) -> Result<R, LawError> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(LawError::NotFinite {
             parameter,
             given: value.to_f64(),
         })

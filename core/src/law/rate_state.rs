@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::contact_age::{AgeingLaw, StateEvolution, StateVariable};
-use super::error::{not_negative, positive, validated_coefficient};
+use super::error::{finite, not_negative, positive, validated_coefficient};
 use super::limits::{ln_ratio, scaled};
 use super::{LawError, SteadyRateState};
 use crate::real::Real;
@@ -16,7 +16,7 @@ pub struct RateStateParameters<R> {
     pub mu: R,
     /// Direct effect a of the speed.
     pub a: R,
-    /// Effect b of the age.
+    /// Effect b of the age, of either sign.
     pub b: R,
     /// Reference speed V₀.
     pub reference_speed: R,
@@ -69,11 +69,11 @@ pub struct RateState<R, E = AgeingLaw> {
 const LOGARITHMIC_FROM: f64 = 20.0;
 
 impl<R: Real, E: StateEvolution> RateState<R, E> {
-    /// *Domain*: 0 ≤ μ₀, b, η < ∞; 0 < a, V₀, D_c < ∞.
+    /// *Domain*: 0 ≤ μ₀, η < ∞; 0 < a, V₀, D_c < ∞; b finite: below zero an older contact is weaker, as some clays are.
     pub fn new(parameters: RateStateParameters<R>) -> Result<Self, LawError> {
         validated_coefficient(parameters.mu)?;
         positive("direct effect a", parameters.a)?;
-        not_negative("age effect b", parameters.b)?;
+        finite("age effect b", parameters.b)?;
         positive("reference speed", parameters.reference_speed)?;
         positive("slip distance", parameters.slip_distance)?;
         not_negative("viscous coefficient", parameters.viscous)?;

@@ -8,8 +8,9 @@ use nalgebra::DMatrix;
 pub(super) struct CovarianceAnalysis {
     /// (JᵀJ)⁻¹ of the given columns, without combinations that the data do not determine.
     pub covariance: DMatrix<f64>,
-    /// Groups of columns that trade against each other, or that alone have no effect.
-    pub loose: Vec<Vec<usize>>,
+    /// Directions, in the coordinates of the columns, along which nothing changes: columns that trade against each
+    /// other, or one that alone has no effect. Components that hardly take part are 0.
+    pub loose: Vec<Vec<f64>>,
 }
 
 /// Singular value of the Jacobian with columns of length 1, over the largest, below which a
@@ -33,9 +34,9 @@ pub(super) fn certainty(
     let norms: Vec<f64> = places.iter().map(|&j| length_of(jacobian, j)).collect();
     let is_empty = |j: usize| norms[j] * sizes[j] <= EMPTY * length;
     let full: Vec<usize> = (0..columns).filter(|&j| !is_empty(j)).collect();
-    let mut loose: Vec<Vec<usize>> = (0..columns)
+    let mut loose: Vec<Vec<f64>> = (0..columns)
         .filter(|&j| is_empty(j))
-        .map(|j| vec![j])
+        .map(|j| (0..columns).map(|k| f64::from(u8::from(k == j))).collect())
         .collect();
     let mut covariance = DMatrix::zeros(columns, columns);
     if full.is_empty() {
@@ -51,8 +52,13 @@ pub(super) fn certainty(
     for (k, sigma) in svd.singular_values.iter().enumerate() {
         let direction = v_t.row(k);
         if *sigma <= RANK * most {
-            let members = (0..full.len()).filter(|&j| direction[j].abs() > TAKES_PART);
-            loose.push(members.map(|j| full[j]).collect());
+            let mut whole = vec![0.0; columns];
+            for (j, &place) in full.iter().enumerate() {
+                if direction[j].abs() > TAKES_PART {
+                    whole[place] = direction[j] / norms[place];
+                }
+            }
+            loose.push(whole);
             continue;
         }
         for (a, &i) in full.iter().enumerate() {

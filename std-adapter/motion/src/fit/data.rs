@@ -5,9 +5,9 @@ use super::FitError;
 /// Motion of the surfaces.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Motion {
-    /// Steady sliding at these speeds.
+    /// Steady sliding at these velocities.
     Steady {
-        /// Speeds, all > 0, in m/s.
+        /// Velocities of either sign, none 0, in m/s.
         speeds: Vec<f64>,
     },
     /// A record over time.
@@ -39,31 +39,31 @@ pub struct Measurements {
     pub(super) motion: Motion,
     pub(super) friction: Vec<f64>,
     pub(super) sigma: Option<Vec<f64>>,
+    pub(super) load: Option<Vec<f64>>,
+    pub(super) acceleration: Option<Vec<f64>>,
 }
 
 /// Speeds and frictions whose logarithms and ratios to each other stay within the normal numbers.
 const MAGNITUDES: std::ops::RangeInclusive<f64> = 1e-290..=1e290;
 
 impl Measurements {
-    /// Friction of steady sliding.
+    /// Friction of steady sliding, in one direction or both.
     ///
-    /// *Domain*: speeds finite and > 0, friction finite and positive on the whole, standard
-    /// deviations finite and > 0; speeds and the largest friction between 1e-290 and 1e290.
+    /// *Domain*: velocities finite and not 0, friction finite and with the sign of the velocity on the whole,
+    /// standard deviations finite and > 0; speeds and the largest friction between 1e-290 and 1e290.
     pub fn steady(
         speeds: Vec<f64>,
         friction: Vec<f64>,
         sigma: Option<Vec<f64>>,
     ) -> Result<Self, FitError> {
-        let wrong = |v: &f64| !(*v > 0.0 && v.is_finite());
+        let wrong = |v: &f64| *v == 0.0 || !v.is_finite();
         refuse(&speeds, wrong, |v| {
-            format!(
-                "the speed of steady sliding must be > 0, not {v}; fold both directions into one"
-            )
+            format!("the velocity of steady sliding must be finite and not 0, not {v}; leave rest out")
         })?;
         Self::checked(Motion::Steady { speeds }, friction, sigma)
     }
 
-    /// Friction over time. Between two times the velocity is the mean of both.
+    /// Friction over time. Between two times the velocity goes from one value to the other.
     ///
     /// *Domain*: times finite and rising, velocities and friction finite, friction with the sign of the
     /// velocity on the whole; speeds other than 0 and the largest friction between 1e-290 and 1e290.
@@ -127,23 +127,89 @@ impl Measurements {
                  another unit",
             ));
         }
-        let along = velocities.iter().zip(&friction);
-        let work: f64 = along.map(|(v, f)| f.copysign(f * v)).sum();
-        if work.is_nan() || work <= 0.0 {
-            return Err(FitError::Whole(
-                "friction must be positive where the speed is: it resists a body that moves with v",
-            ));
-        }
+        resists(velocities, &friction)?;
         Ok(Self {
             motion,
             friction,
             sigma,
+            load: None,
+            acceleration: None,
         })
+    }
+
+    /// The same with the load [N] at each point: friction is then a force [N], and parameters are per load.
+    ///
+    /// *Domain*: finite and > 0.
+    pub fn with_load(mut self, load: Vec<f64>) -> Result<Self, FitError> {
+        same_length(self.friction.len(), load.len())?;
+        refuse(
+            &load,
+            |n| !(*n > 0.0 && n.is_finite()),
+            |n| format!("the load must be > 0, not {n}"),
+        )?;
+        self.load = Some(load);
+        Ok(self)
+    }
+
+    /// The same with the acceleration [m/s²] at each point, to which a drive's inertia adds a force.
+    ///
+    /// *Domain*: finite.
+    pub fn with_acceleration(mut self, acceleration: Vec<f64>) -> Result<Self, FitError> {
+        same_length(self.friction.len(), acceleration.len())?;
+        refuse(
+            &acceleration,
+            |a| !a.is_finite(),
+            |a| format!("the acceleration must be finite, not {a}"),
+        )?;
+        self.acceleration = Some(acceleration);
+        Ok(self)
+    }
+
+    /// The points at which the velocity is not 0, and how many there are at rest.
+    pub fn moving(self) -> (Self, usize) {
+        let keep: Vec<usize> = {
+            let velocities = self.velocities();
+            (0..velocities.len())
+                .filter(|&i| velocities[i] != 0.0)
+                .collect()
+        };
+        let resting = self.friction.len() - keep.len();
+        if resting == 0 {
+            return (self, 0);
+        }
+        (self.picked(&keep), resting)
+    }
+
+    /// Some of the points, in rising order.
+    pub(super) fn picked(&self, points: &[usize]) -> Self {
+        let of = |values: &[f64]| points.iter().map(|&i| values[i]).collect::<Vec<f64>>();
+        let motion = match &self.motion {
+            Motion::Steady { speeds } => Motion::Steady { speeds: of(speeds) },
+            Motion::Series { times, velocities } => Motion::Series {
+                times: of(times),
+                velocities: of(velocities),
+            },
+        };
+        Self {
+            motion,
+            friction: of(&self.friction),
+            sigma: self.sigma.as_deref().map(of),
+            load: self.load.as_deref().map(of),
+            acceleration: self.acceleration.as_deref().map(of),
+        }
     }
 
     /// Motion of the surfaces.
     pub fn motion(&self) -> &Motion {
         &self.motion
+    }
+
+    /// Times of the points in s, if this is a record over time.
+    pub fn times(&self) -> Option<&[f64]> {
+        match &self.motion {
+            Motion::Steady { .. } => None,
+            Motion::Series { times, .. } => Some(times),
+        }
     }
 
     /// Friction of each point.
@@ -156,6 +222,11 @@ impl Measurements {
         self.sigma.as_deref()
     }
 
+    /// Load of each point in N, if known.
+    pub fn load(&self) -> Option<&[f64]> {
+        self.load.as_deref()
+    }
+
     /// Velocity of each point.
     pub fn velocities(&self) -> &[f64] {
         match &self.motion {
@@ -164,15 +235,34 @@ impl Measurements {
         }
     }
 
+    /// Friction of a point per load, if loads are known.
+    pub(super) fn per_load(&self, point: usize) -> f64 {
+        let load = self.load.as_ref().map_or(1.0, |load| load[point]);
+        self.friction[point] / load
+    }
+
     /// Smallest and largest nonzero |velocity|.
     pub(super) fn speeds(&self) -> [f64; 2] {
         extremes(self.velocities().iter().map(|v| v.abs()))
     }
 
-    /// Smallest and largest nonzero |friction|.
+    /// Smallest and largest nonzero |friction|, per load if loads are known.
     pub(super) fn forces(&self) -> [f64; 2] {
-        extremes(self.friction.iter().map(|f| f.abs()))
+        extremes((0..self.friction.len()).map(|i| self.per_load(i).abs()))
     }
+}
+
+/// Refuses friction that drives the body.
+fn resists(velocities: &[f64], friction: &[f64]) -> Result<(), FitError> {
+    let along = velocities.iter().zip(friction);
+    let work: f64 = along.map(|(v, f)| f.copysign(f * v)).sum();
+    if work > 0.0 {
+        return Ok(());
+    }
+    Err(FitError::Whole(
+        "friction must be positive where the velocity is: it resists a body that moves with v; turn its sign \
+         by --columns f=-NAME, or give each direction by itself if it was recorded without sign",
+    ))
 }
 
 fn same_length(one: usize, other: usize) -> Result<(), FitError> {

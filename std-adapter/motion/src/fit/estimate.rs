@@ -1,11 +1,19 @@
 //! Options and result of a fit.
 
 use super::Measurements;
+use super::caution::Caution;
 use super::error::FitError;
 use super::parameter::{FitParameter, Model};
+use super::refine::Paths;
+use super::result::Certified;
+use super::sample::WeightedData;
 use super::search::{FitProgress, search};
 use super::unknowns::Unknowns;
 use nalgebra::DMatrix;
+use std::sync::Mutex;
+
+/// Searches that begin anew because a profile found a smaller sum of squares.
+const MOST_RETURNS: usize = 4;
 
 /// Options of a fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +57,9 @@ pub struct Estimate {
     pub value: f64,
     /// Certainty of the value.
     pub known: Uncertainty,
+    /// Interval that covers the true value in 95 of 100 cases, from the profile of the sum of squares: other
+    /// parameters follow while this one is moved. Infinite where the data do not bound it.
+    pub interval: [f64; 2],
 }
 
 /// A fitted model.
@@ -95,6 +106,8 @@ pub struct Fit {
     /// Number of points on which the starts were searched: all, or a sample, whose best minima
     /// were refined on all points.
     pub searched: usize,
+    /// What to know before the numbers are used.
+    pub cautions: Vec<Caution>,
 }
 
 impl Measurements {
@@ -117,19 +130,43 @@ impl Measurements {
 /// let mut last = None;
 /// let options = FitOptions { starts: 5, ..FitOptions::default() };
 /// fit_watched(model.as_ref(), &data, &options, &mut |progress| last = Some(progress))?;
-/// let FitProgress { points, search, .. } = last.ok_or("no step")?;
-/// assert_eq!((points, search), (3, [5, 5]));
+/// let FitProgress { points, .. } = last.ok_or("no step")?;
+/// assert_eq!(points, 3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn fit_watched(
     model: &dyn Model,
     data: &Measurements,
     options: &FitOptions,
-    watch: &mut dyn FnMut(FitProgress),
+    watch: &mut (dyn FnMut(FitProgress) + Send),
 ) -> Result<Fit, FitError> {
     let unknowns = Unknowns::new(model, &options.fixed)?;
-    let search = search(&unknowns, data, options.starts, watch)?;
-    Ok(search.with_standard_errors(&unknowns, data.sigma().is_some()))
+    let target = WeightedData::new(data);
+    let watch = Mutex::new(watch);
+    let watch = |progress| {
+        if let Ok(mut watch) = watch.lock() {
+            watch(progress);
+        }
+    };
+    let found = search(&unknowns, data, &target, options.starts, &watch)?;
+    let paths = Paths {
+        model,
+        unknowns: &unknowns,
+        data,
+        target: &target,
+        lengths: &found.lengths,
+        watch: &watch,
+    };
+    let mut minima = found.minima.clone();
+    for _ in 0..MOST_RETURNS {
+        let refined = paths.refine(minima);
+        let result = Certified::of(&paths, &found, refined)?;
+        match result {
+            Certified::Fit(fit) => return Ok(*fit),
+            Certified::Lower(start) => minima = vec![(start, 1)],
+        }
+    }
+    Err(FitError::NoStart)
 }
 
 impl Fit {

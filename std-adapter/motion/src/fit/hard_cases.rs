@@ -140,8 +140,17 @@ impl Model for Whole<'_> {
     fn start(&self, unit: &[f64]) -> Vec<f64> {
         self.0.start(unit)
     }
-    fn project_to_valid(&self, values: &mut [f64], is_free: &[bool]) {
-        self.0.project_to_valid(values, is_free);
+    fn is_linear(&self, parameter: usize) -> bool {
+        self.0.is_linear(parameter)
+    }
+    fn above(&self, parameter: usize) -> Option<usize> {
+        self.0.above(parameter)
+    }
+    fn limits(&self, parameter: usize) -> [f64; 2] {
+        self.0.limits(parameter)
+    }
+    fn along(&self, path: Between) -> Option<Box<dyn Model + '_>> {
+        Some(Box::new(Whole(self.0.along(path)?)))
     }
 }
 

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 /// Residuals as a function of the coordinates; `None` if the model refuses them.
-pub(super) type Residuals<'a> = dyn Fn(&[f64]) -> Option<Vec<f64>> + 'a;
+pub(super) type Residuals<'a> = dyn Fn(&[f64]) -> Option<Vec<f64>> + Sync + 'a;
 
 /// Length of a coordinate over which residuals change.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,18 +35,26 @@ impl DifferenceScale {
 /// Step of a central difference of fourth order, relative to the length: ε^(1/5), where
 /// the errors of truncation and of rounding are alike, 3e-13.
 const STEP: f64 = 7.400_959_797_414_05e-4;
-/// Step of a one-sided difference of second order: ε^(1/3), 4e-11.
+/// Step of a central difference of second order: ε^(1/3), 4e-11.
 const SHORT_STEP: f64 = 6.055_454_452_393_343e-6;
+
+/// Order of central differences.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Order {
+    /// Two evaluations a coordinate.
+    Second,
+    /// Four evaluations a coordinate.
+    Fourth,
+}
 
 /// ∂r/∂q at `q`; a coordinate whose steps would leave its bounds, or are refused, gets one-sided
 /// differences.
-///
 pub(super) fn jacobian(
     residuals: &Residuals<'_>,
     q: &[f64],
     here: &[f64],
-    bounds: &[[f64; 2]],
-    lengths: &[DifferenceScale],
+    (bounds, lengths): (&[[f64; 2]], &[DifferenceScale]),
+    order: Order,
 ) -> Option<DMatrix<f64>> {
     let mut jacobian = DMatrix::zeros(here.len(), q.len());
     for (j, mut column) in jacobian.column_iter_mut().enumerate() {
@@ -58,8 +66,11 @@ pub(super) fn jacobian(
             index: j,
             bounds: bounds[j],
         };
-        let found = line
-            .central(STEP * size)
+        let central = match order {
+            Order::Second => line.short(SHORT_STEP * size),
+            Order::Fourth => line.central(STEP * size),
+        };
+        let found = central
             .or_else(|| line.one_sided(SHORT_STEP * size, here))
             .or_else(|| line.one_sided(-SHORT_STEP * size, here))?;
         column.copy_from_slice(&found);
@@ -99,9 +110,21 @@ impl Line<'_> {
     fn central(&mut self, step: f64) -> Option<Vec<f64>> {
         let h = self.rounded(step);
         let [far, near] = [2.0 * h, h].map(|h| self.beyond(h).zip(self.beyond(-h)));
-        let ((far_up, far_down), (up, down)) = far.zip(near)?;
-        let slope = |i: usize| (8.0 * (up[i] - down[i]) - (far_up[i] - far_down[i])) / (12.0 * h);
-        Some((0..up.len()).map(slope).collect())
+        let ((far_up, far_down), (mut up, down)) = far.zip(near)?;
+        for (i, up) in up.iter_mut().enumerate() {
+            *up = (8.0 * (*up - down[i]) - (far_up[i] - far_down[i])) / (12.0 * h);
+        }
+        Some(up)
+    }
+
+    /// (f(h) − f(−h))/2h
+    fn short(&mut self, step: f64) -> Option<Vec<f64>> {
+        let h = self.rounded(step);
+        let (mut up, down) = self.beyond(h).zip(self.beyond(-h))?;
+        for (up, down) in up.iter_mut().zip(&down) {
+            *up = (*up - down) / (2.0 * h);
+        }
+        Some(up)
     }
 
     /// (4 f(h) − 3 f(0) − f(2h))/2h

@@ -1,6 +1,6 @@
 //! Levenberg–Marquardt within bounds.
 
-use super::jacobian::{DifferenceScale, Residuals, jacobian};
+use super::jacobian::{DifferenceScale, Order, Residuals, jacobian};
 use super::reduce::{Reduced, reduced};
 use nalgebra::{DMatrix, DVector};
 
@@ -8,20 +8,23 @@ use nalgebra::{DMatrix, DVector};
 pub(super) struct Problem<'a> {
     /// r(q)
     pub residuals: &'a Residuals<'a>,
-    /// Moves coordinates within the bounds to the nearest ones that the law admits.
-    pub repair: &'a dyn Fn(&mut [f64]),
     /// Bounds of the coordinates.
     pub bounds: Vec<[f64; 2]>,
     /// Length over which residuals change, for each coordinate.
     pub lengths: Vec<DifferenceScale>,
     /// Sum of squares below which residuals are rounding errors.
     pub floor: f64,
+    /// Fraction of the residuals' length that a Gauss–Newton step would remove (the relative offset of
+    /// Bates and Watts 1981) below which a search has converged: parameters are good to this fraction of
+    /// their standard errors.
+    pub offset: f64,
 }
 
 impl Problem<'_> {
     /// ∂r/∂q; `None` where it is not finite.
-    pub fn slopes(&self, q: &[f64], residuals: &[f64]) -> Option<DMatrix<f64>> {
-        let slopes = jacobian(self.residuals, q, residuals, &self.bounds, &self.lengths)?;
+    pub fn slopes(&self, q: &[f64], residuals: &[f64], order: Order) -> Option<DMatrix<f64>> {
+        let ranges = (self.bounds.as_slice(), self.lengths.as_slice());
+        let slopes = jacobian(self.residuals, q, residuals, ranges, order)?;
         slopes.iter().all(|x| x.is_finite()).then_some(slopes)
     }
 }
@@ -45,13 +48,13 @@ const MOST: usize = 400;
 const FIRST_DAMPING: f64 = 1e-3;
 /// Damping under which steps are lost in rounding.
 const LAST_DAMPING: f64 = 1e20;
-/// Fraction of the residuals' length that a Gauss–Newton step would remove (the relative offset of
-/// Bates and Watts 1981) below which a search has converged: parameters are good to this fraction of
-/// their standard errors.
-const OFFSET: f64 = 1e-9;
+/// The relative offset of a fit.
+pub(super) const OFFSET: f64 = 1e-9;
 /// The offset below which undamped steps are taken without checking the cost, whose last digits no
 /// longer show the descent.
 const NEAR: f64 = 1e-5;
+/// The offset below which derivatives are taken to fourth order.
+const PRECISE: f64 = 1e-3;
 /// If such a step overshoots and the offset grows, later steps are halved; below this fraction only
 /// rounding changes the offset.
 const SHORTEST: f64 = 1.0 / 64.0;
@@ -75,13 +78,17 @@ pub(super) fn minimise(
         last_offset: f64::INFINITY,
     };
     let mut iterations = 0;
+    let mut order = Order::Second;
     loop {
         let Iterate { q, residuals, cost } = &place;
         watch(iterations);
-        let slopes = problem.slopes(q, residuals)?;
+        let slopes = problem.slopes(q, residuals, order)?;
         let step = Step::new(problem, q, residuals, &slopes);
         let offset = step.offset(*cost);
-        let is_done = *cost <= problem.floor || offset <= OFFSET;
+        if offset <= PRECISE {
+            order = Order::Fourth;
+        }
+        let is_done = *cost <= problem.floor || offset <= problem.offset;
         let next = if is_done || iterations == MOST {
             None
         } else if offset <= NEAR {
@@ -112,7 +119,7 @@ struct Iterate {
 }
 
 impl Iterate {
-    /// The admissible point nearest to `q`; `None` if the model refuses it.
+    /// The point within the bounds nearest to `q`; `None` if the model refuses it.
     fn at(problem: &Problem<'_>, mut q: Vec<f64>) -> Option<Self> {
         admit(problem, &mut q);
         let residuals = (problem.residuals)(&q)?;
@@ -177,12 +184,11 @@ impl DampingControl {
     }
 }
 
-/// Moves `q` into the bounds, then to values that the model admits.
+/// Moves `q` into the bounds.
 fn admit(problem: &Problem<'_>, q: &mut [f64]) {
     for (x, [low, high]) in q.iter_mut().zip(&problem.bounds) {
         *x = x.max(*low).min(*high);
     }
-    (problem.repair)(q);
 }
 
 /// Jᵀ r

@@ -33,22 +33,33 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod apparatus;
+mod caution;
 mod covariance;
 mod data;
 mod error;
 mod estimate;
 mod halton;
+mod interval;
 mod jacobian;
 mod law;
+mod linear;
+mod linearised;
 mod minimise;
 mod parameter;
 mod reduce;
+mod refine;
+mod residual_tests;
+mod result;
 mod sample;
 mod search;
 mod standard_errors;
 pub mod support;
 mod unknowns;
+mod usage;
 
+pub use apparatus::Apparatus;
+pub use caution::Caution;
 pub use data::Measurements;
 #[doc(hidden)]
 pub use data::Motion;
@@ -59,9 +70,10 @@ pub use estimate::{Estimate, Fit, FitOptions, Uncertainty};
 pub use law::FitLaw;
 pub use parameter::FitParameter;
 #[doc(hidden)]
-pub use parameter::{Model, Range};
+pub use parameter::{Between, Course, Model, Range};
 #[doc(hidden)]
 pub use search::FitProgress;
+pub use usage::{FittedLaw, Usage, UsageError, UsageTarget};
 
 #[cfg(test)]
 #[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]

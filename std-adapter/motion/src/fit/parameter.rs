@@ -64,7 +64,7 @@ pub struct FitParameter {
 /// assert!((found.parameters[1].value - 0.5).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub trait Model {
+pub trait Model: Send + Sync {
     /// The parameters, in the order of all slices here.
     fn parameters(&self) -> &[FitParameter];
 
@@ -75,18 +75,72 @@ pub trait Model {
     /// One prediction per point; `None` if the law refuses the values.
     fn predict(&self, values: &[f64]) -> Option<Vec<f64>>;
 
-    /// Initial values for a point of the unit cube with one coordinate per parameter.
+    /// Initial values for a point of the unit cube with one coordinate per parameter; the middle is the best guess.
     fn start(&self, unit: &[f64]) -> Vec<f64>;
 
-    /// Moves values to the nearest that the law admits if parameters bound each other. Values
-    /// that are not free must not change.
-    fn project_to_valid(&self, _values: &mut [f64], _is_free: &[bool]) {}
+    /// Whether predictions are linear in this parameter while the others are kept, or nearly so: its
+    /// starts are then improved by linear least squares.
+    fn is_linear(&self, _parameter: usize) -> bool {
+        false
+    }
+
+    /// The parameter that this one must not be below.
+    fn above(&self, _parameter: usize) -> Option<usize> {
+        None
+    }
+
+    /// Least and largest value that these data can show, within the parameter's range.
+    fn limits(&self, _parameter: usize) -> [f64; 2] {
+        [f64::NEG_INFINITY, f64::INFINITY]
+    }
 
     /// The same model for a subset of the points, in rising order and including the first; `None`
     /// if it needs all points. Fits of many points search on such a sample first.
-    fn subsample(&self, _points: &[usize]) -> Option<Box<dyn Model>> {
+    fn subsample(&self, _points: &[usize]) -> Option<Box<dyn Model + '_>> {
         None
     }
+
+    /// Points of a sample that serves this model better than an even one.
+    fn sample(&self, _count: usize) -> Option<Vec<usize>> {
+        None
+    }
+
+    /// The same model with another motion between the points; `None` if predictions do not depend on it.
+    fn along(&self, _path: Between) -> Option<Box<dyn Model + '_>> {
+        None
+    }
+}
+
+/// What a record leaves open: the motion from one point to the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Between {
+    /// Steps from one point to the next.
+    pub steps: u32,
+    /// How the velocity goes from its value at one point to that at the next.
+    pub course: Course,
+}
+
+/// How the velocity goes from one point of a record to the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Course {
+    /// On a straight line.
+    Straight,
+    /// On a curve whose slope at a point is the mean of its neighbours' differences.
+    Smooth,
+    /// By a jump in the middle.
+    JumpsMidway,
+    /// By a jump at once after the first point.
+    JumpsAtOnce,
+    /// By a jump at the second point.
+    JumpsLate,
+}
+
+impl Between {
+    /// One step along a straight line.
+    pub const PLAIN: Self = Self {
+        steps: 1,
+        course: Course::Straight,
+    };
 }
 
 /// Least distance of a parameter from an exclusive end.

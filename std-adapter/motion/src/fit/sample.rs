@@ -1,6 +1,7 @@
 //! The data to be fitted in a scaled unit, and a sample of them.
 
 use super::reduce::power_of_two;
+use super::parameter::Model;
 use super::unknowns::Unknowns;
 use super::{Measurements, Motion};
 
@@ -53,7 +54,12 @@ impl WeightedData {
 
     /// (prediction − friction)/σ in the unit; `None` where the model refuses the coordinates.
     pub fn residuals(&self, unknowns: &Unknowns<'_>, q: &[f64]) -> Option<Vec<f64>> {
-        let mut residuals = unknowns.model.predict(&unknowns.values(q))?;
+        self.residuals_of(unknowns.model, &unknowns.values(q))
+    }
+
+    /// The same for values of all parameters.
+    pub fn residuals_of(&self, model: &dyn Model, values: &[f64]) -> Option<Vec<f64>> {
+        let mut residuals = model.predict(values)?;
         for (r, f) in residuals.iter_mut().zip(&self.friction) {
             *r = (*r - f) * self.scale;
         }
@@ -61,6 +67,11 @@ impl WeightedData {
             *r *= w;
         }
         Some(residuals)
+    }
+
+    /// The largest friction.
+    pub fn largest(&self) -> f64 {
+        self.friction.iter().fold(0.0, |most, f| f.abs().max(most))
     }
 
     /// √Σ (friction/σ)² in the unit.
@@ -81,16 +92,19 @@ impl WeightedData {
 
 /// Rising indices of a sample, the first among them, if there are many points. Of steady sliding half
 /// of it is spread over the points and half over the logarithm of the speed, so that sparse points
-/// at the ends are not lost; of a record it is spread over the points.
-pub(super) fn sample(data: &Measurements) -> Option<Vec<usize>> {
+/// at the ends are not lost; of a record it is spread over the points, unless the model knows better.
+pub(super) fn sample(data: &Measurements, model: &dyn Model) -> Option<Vec<usize>> {
     let count = data.friction().len();
     if count <= 2 * SAMPLE {
         return None;
     }
     let spread = |k: usize, parts: usize| k * (count - 1) / (parts - 1);
     let speeds = match data.motion() {
-        Motion::Series { .. } => return Some((0..SAMPLE).map(|k| spread(k, SAMPLE)).collect()),
-        Motion::Steady { speeds } => speeds,
+        Motion::Series { .. } => {
+            let even = || (0..SAMPLE).map(|k| spread(k, SAMPLE)).collect();
+            return Some(model.sample(SAMPLE).unwrap_or_else(even));
+        }
+        Motion::Steady { speeds } => speeds.iter().map(|v| v.abs()).collect::<Vec<f64>>(),
     };
     let mut order: Vec<usize> = (0..count).collect();
     order.sort_by(|&a, &b| speeds[a].total_cmp(&speeds[b]).then(a.cmp(&b)));
@@ -110,6 +124,7 @@ pub(super) fn sample(data: &Measurements) -> Option<Vec<usize>> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::FitLaw;
     use super::*;
 
     #[test]
@@ -125,14 +140,14 @@ mod tests {
         };
         let speeds: Vec<f64> = (0..50_000).map(speed).collect();
         let data = Measurements::steady(speeds, vec![0.3; 50_000], None)?;
-        let points = sample(&data).unwrap_or_default();
+        let points = sample(&data, FitLaw::Coulomb.model(&data)?.as_ref()).unwrap_or_default();
         assert!(points.windows(2).all(|pair| pair[0] < pair[1]));
         assert!((0..10).all(|slow| points.contains(&slow)));
         assert!(points.contains(&49_999) && (SAMPLE / 2..=SAMPLE + 1).contains(&points.len()));
 
         let times = (0..50_000).map(f64::from).collect();
         let data = Measurements::series(times, vec![1.0; 50_000], vec![0.3; 50_000], None)?;
-        let points = sample(&data).unwrap_or_default();
+        let points = sample(&data, FitLaw::Coulomb.model(&data)?.as_ref()).unwrap_or_default();
         assert_eq!(
             (points.len(), points[0], points[SAMPLE - 1]),
             (SAMPLE, 0, 49_999)

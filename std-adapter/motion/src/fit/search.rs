@@ -1,13 +1,14 @@
-//! Several searches from starts that are spread evenly.
+//! Several searches from starts that are spread evenly about a first guess.
 
 use super::Measurements;
 use super::error::FitError;
 use super::halton::halton;
 use super::jacobian::DifferenceScale;
-use super::minimise::{Minimum, Problem, minimise};
+use super::linear::improved;
+use super::minimise::{Minimum, OFFSET, Problem, minimise};
 use super::sample::{WeightedData, sample};
 use super::unknowns::Unknowns;
-use nalgebra::DMatrix;
+use tribos_base::run::in_order;
 
 /// Costs that differ relatively by less belong to the same minimum.
 const SAME: f64 = 1e-6;
@@ -23,42 +24,38 @@ pub struct FitProgress {
     pub steps: usize,
 }
 
-/// The best of several searches.
+/// Receives the progress; searches run side by side.
+pub(super) type Watch<'a> = dyn Fn(FitProgress) + Sync + 'a;
+
+/// What the searches found.
 pub(super) struct Search {
-    /// The best minimum.
-    pub best: Minimum,
-    /// Residuals r at the minimum, in units of 1/[`Self::unit`].
-    pub residuals: Vec<f64>,
-    /// Jacobian ∂r/∂q at the minimum.
-    pub jacobian: DMatrix<f64>,
-    /// Bounds of the coordinates.
-    pub bounds: Vec<[f64; 2]>,
+    /// Different minima by rising cost, with the number of searches that ended there.
+    pub minima: Vec<(Minimum, usize)>,
     /// Lengths over which predictions change.
     pub lengths: Vec<DifferenceScale>,
-    /// √Σ (data/σ)² in the unit of the residuals.
-    pub size: f64,
-    /// Factor by which residuals were multiplied.
-    pub unit: f64,
     /// Starts from which a search was possible.
     pub starts: usize,
-    /// Number of starts that ended at the best minimum.
-    pub at_best: usize,
     /// Number of points on which the starts were searched.
     pub searched: usize,
 }
 
-/// Largest number of minima on a sample that are refined on all points.
+/// Largest number of minima that are refined on all points.
 const MOST_REFINED: usize = 3;
-/// Minima whose costs on a sample differ by less than this many variances of a residual are alike:
+/// Minima whose costs differ by less than this many variances of a residual are alike:
 /// five standard deviations of a likelihood's logarithm.
 const ALIKE: f64 = 25.0;
+/// Searches that must agree before no more are begun, if there are at least as many.
+const ENOUGH: usize = 3;
+/// Factor by which the number of starts may grow.
+const MOST_MORE: usize = 8;
 
-/// Searches from all starts.
+/// Searches from all starts, and from more while fewer than three agree.
 pub(super) fn search(
     unknowns: &Unknowns<'_>,
     data: &Measurements,
+    target: &WeightedData,
     starts: usize,
-    watch: &mut dyn FnMut(FitProgress),
+    watch: &Watch<'_>,
 ) -> Result<Search, FitError> {
     let measured = data.friction();
     if measured.len() <= unknowns.sought.len() {
@@ -70,82 +67,98 @@ pub(super) fn search(
     let all = unknowns.fixed.len();
     let start = |index: usize| unknowns.coordinates(&unknowns.model.start(&halton(index, all)));
     let starts: Vec<Vec<f64>> = (0..starts.max(1)).map(start).collect();
-    let target = WeightedData::new(data);
-    let points = sample(data);
+    let lengths = unknowns.lengths(&starts);
+    let points = sample(data, unknowns.model);
     let thinned = points.as_deref().and_then(|points| {
         let model = unknowns.model.subsample(points)?;
         Some((model, target.thinned(points)))
     });
-    let lengths = unknowns.lengths(&starts);
-    let mut searched = measured.len();
-    let mut ends = match &thinned {
-        Some((model, part)) => {
-            searched = part.friction.len();
-            let few = unknowns.with(model.as_ref());
-            minima(&few, part, &lengths, &starts, watch)
-        }
-        None => minima(unknowns, &target, &lengths, &starts, watch),
+    let (few, part) = match &thinned {
+        Some((model, part)) => (unknowns.with(model.as_ref()), part),
+        None => (unknowns.with(unknowns.model), target),
     };
+    let searched = part.friction.len();
+    let freedoms = searched.saturating_sub(unknowns.sought.len()).max(1);
+    let floor = target.floor();
+    let mut ends = minima(&few, part, &lengths, &starts, watch);
+    let (mut tried, most) = (starts.len(), MOST_MORE * starts.len());
+    while tried >= ENOUGH && tried < most && agreeing(&ends, floor) < ENOUGH {
+        let more: Vec<Vec<f64>> = (tried..2 * tried).map(start).collect();
+        ends.extend(minima(&few, part, &lengths, &more, watch));
+        tried *= 2;
+    }
     ends.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     let found = ends.len();
-    let floor = target.floor();
-    let mut candidates = distinct(ends, floor, searched - unknowns.sought.len());
+    let mut candidates = distinct(ends, floor, freedoms);
     if thinned.is_some() {
         let places: Vec<Vec<f64>> = candidates.iter().map(|(end, _)| end.q.clone()).collect();
-        let refined = minima(unknowns, &target, &lengths, &places, watch);
-        let counts = candidates.iter().map(|(_, count)| *count);
-        candidates = refined
-            .into_iter()
-            .zip(counts.collect::<Vec<_>>())
-            .collect();
+        let refined = descents(unknowns, target, &lengths, &places, watch);
+        let counted = refined.into_iter().zip(&candidates);
+        let counted = counted.filter_map(|(end, (_, count))| Some((end?, *count)));
+        candidates = counted.collect();
+        candidates.sort_by(|(a, _), (b, _)| a.cost.total_cmp(&b.cost));
     }
-    let least = candidates
-        .into_iter()
-        .min_by(|(a, _), (b, _)| a.cost.total_cmp(&b.cost));
-    let (best, at_best) = least.ok_or(FitError::NoStart)?;
-    let problem = Problem {
-        residuals: &|q: &[f64]| target.residuals(unknowns, q),
-        repair: &|_: &mut [f64]| (),
-        bounds: unknowns.bounds(),
-        lengths,
-        floor,
-    };
-    let residuals = target
-        .residuals(unknowns, &best.q)
-        .ok_or(FitError::NoStart)?;
-    let jacobian = problem
-        .slopes(&best.q, &residuals)
-        .ok_or(FitError::NoStart)?;
+    if candidates.is_empty() {
+        return Err(FitError::NoStart);
+    }
     Ok(Search {
-        residuals,
-        jacobian,
-        bounds: problem.bounds,
-        lengths: problem.lengths,
-        size: target.size(),
-        unit: target.unit,
+        minima: candidates,
+        lengths,
         starts: found,
-        at_best,
         searched,
-        best,
     })
 }
 
-/// Ends of the searches, in the order of their starts.
+/// Number of searches that ended at the best minimum so far.
+fn agreeing(ends: &[Minimum], floor: f64) -> usize {
+    let least = ends.iter().fold(f64::INFINITY, |least, end| end.cost.min(least));
+    let same = |end: &&Minimum| end.cost <= least * (1.0 + SAME) + floor;
+    ends.iter().filter(same).count()
+}
+
+/// The problem of a model on a target.
+pub(super) fn problem<'a>(
+    residuals: &'a super::jacobian::Residuals<'a>,
+    unknowns: &Unknowns<'_>,
+    target: &WeightedData,
+    lengths: &[DifferenceScale],
+) -> Problem<'a> {
+    Problem {
+        residuals,
+        bounds: unknowns.bounds(),
+        lengths: lengths.to_vec(),
+        floor: target.floor(),
+        offset: OFFSET,
+    }
+}
+
+/// Ends of the searches from starts that linear least squares improve, in their order.
 fn minima(
     unknowns: &Unknowns<'_>,
     target: &WeightedData,
     lengths: &[DifferenceScale],
-    places: &[Vec<f64>],
-    watch: &mut dyn FnMut(FitProgress),
+    starts: &[Vec<f64>],
+    watch: &Watch<'_>,
 ) -> Vec<Minimum> {
-    let problem = Problem {
-        residuals: &|q: &[f64]| target.residuals(unknowns, q),
-        repair: &|q: &mut [f64]| unknowns.repair(q),
-        bounds: unknowns.bounds(),
-        lengths: lengths.to_vec(),
-        floor: target.floor(),
-    };
-    let ends = places.iter().enumerate().filter_map(|(index, place)| {
+    let places: Vec<Vec<f64>> = starts
+        .iter()
+        .map(|start| improved(unknowns, target, start))
+        .collect();
+    let ends = descents(unknowns, target, lengths, &places, watch);
+    ends.into_iter().flatten().collect()
+}
+
+/// The end of a search from each place.
+pub(super) fn descents(
+    unknowns: &Unknowns<'_>,
+    target: &WeightedData,
+    lengths: &[DifferenceScale],
+    places: &[Vec<f64>],
+    watch: &Watch<'_>,
+) -> Vec<Option<Minimum>> {
+    let residuals = |q: &[f64]| target.residuals(unknowns, q);
+    let problem = problem(&residuals, unknowns, target, lengths);
+    let descent = |index: usize| {
         let mut step = |steps| {
             watch(FitProgress {
                 points: target.friction.len(),
@@ -153,9 +166,15 @@ fn minima(
                 steps,
             });
         };
-        minimise(&problem, place, &mut step)
-    });
-    ends.collect()
+        minimise(&problem, &places[index], &mut step)
+    };
+    // Independent of the number of threads.
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    if threads == 1 || places.len() == 1 {
+        return (0..places.len()).map(descent).collect();
+    }
+    let ends = in_order(places.len(), threads, descent);
+    ends.into_iter().map(Option::flatten).collect()
 }
 
 /// Different minima by rising cost, with the number of searches that ended there: the best, and

@@ -1,108 +1,80 @@
 //! Standard errors of the fitted parameters.
 
-use super::covariance::{CovarianceAnalysis, certainty};
-use super::estimate::{Estimate, Fit, Uncertainty};
-use super::minimise::{free, gradient};
-use super::search::Search;
+use super::estimate::Uncertainty;
+use super::linearised::Linearised;
 use super::unknowns::Unknowns;
 use nalgebra::DMatrix;
 
-/// The coordinates that have an error, with their covariance.
-struct FreeCoordinates {
-    /// Indices of the coordinates among the free parameters.
-    places: Vec<usize>,
-    certain: CovarianceAnalysis,
+/// What the data tell of each parameter.
+pub(super) struct Certainties {
+    /// Of each parameter of the model.
+    pub known: Vec<Uncertainty>,
+    /// Covariance of the values that have a standard error, in their order.
+    pub covariance: DMatrix<f64>,
 }
 
-impl Search {
-    /// The fit with its standard errors.
-    pub fn with_standard_errors(self, unknowns: &Unknowns<'_>, is_weighted: bool) -> Fit {
-        let values = unknowns.values(&self.best.q);
-        let freedoms = self.residuals.len() - unknowns.sought.len();
-        let scatter = (self.best.cost / freedoms as f64).sqrt();
-        // Without known deviations their size is estimated from the residuals.
-        let deviation = if is_weighted { self.unit } else { scatter };
-        let inside = self.inside();
-        let known = inside.known(unknowns, &values, deviation);
-        let all = unknowns.model.parameters().iter().zip(&values).zip(known);
-        let parameters = all.map(|((parameter, &value), known)| Estimate {
-            parameter: *parameter,
-            value,
-            known,
-        });
-        let nothing = vec![f64::NAN; self.residuals.len()];
-        Fit {
-            parameters: parameters.collect(),
-            covariance: inside.covariance(unknowns, &values, deviation),
-            predictions: unknowns.model.predict(&values).unwrap_or(nothing),
-            cost: self.best.cost / self.unit / self.unit,
-            deviation: scatter / self.unit,
-            freedoms,
-            is_weighted,
-            converged: self.best.converged,
-            starts: self.starts,
-            at_best: self.at_best,
-            iterations: self.best.iterations,
-            searched: self.searched,
-        }
-    }
+/// Share of its largest part below which a value's change along a direction cancels.
+const CANCELS: f64 = 0.05;
 
-    /// Coordinates that are not at a bound; those at a bound have no error.
-    fn inside(&self) -> FreeCoordinates {
-        let gradient = gradient(&self.jacobian, &self.residuals);
-        let places = free(&self.best.q, &self.bounds, &gradient);
-        let sizes: Vec<f64> = places.iter().map(|&k| self.lengths[k].least()).collect();
-        FreeCoordinates {
-            certain: certainty(&self.jacobian, &places, &sizes, self.size),
-            places,
-        }
-    }
-}
-
-impl FreeCoordinates {
-    /// Certainty of each parameter of the model.
-    fn known(&self, unknowns: &Unknowns<'_>, values: &[f64], deviation: f64) -> Vec<Uncertainty> {
+impl Certainties {
+    /// Near a minimum with these values; `deviation` is the standard deviation of a residual.
+    pub fn of(at: &Linearised, unknowns: &Unknowns<'_>, values: &[f64], deviation: f64) -> Self {
+        let (slopes, sizes) = unit_rows(unknowns.slopes(values));
+        let all = &slopes * at.covariance(unknowns) * slopes.transpose();
+        let loose: Vec<Vec<usize>> = at
+            .certainty()
+            .loose
+            .iter()
+            .map(|direction| moved(at, &slopes, direction))
+            .collect();
         let parameters = unknowns.model.parameters();
-        let number = |k: usize| unknowns.sought[self.places[k]];
         let mut known = vec![Uncertainty::Fixed; parameters.len()];
-        for &j in &unknowns.sought {
-            known[j] = Uncertainty::AtBound;
-        }
-        for k in 0..self.places.len() {
-            let j = number(k);
-            known[j] = if self.is_loose(k) {
-                let groups = self.certain.loose.iter().filter(|group| group.contains(&k));
-                let others = groups.flatten().filter(|&&other| other != k);
-                let mut others: Vec<_> = others.map(|&k| parameters[number(k)].name).collect();
-                others.dedup();
-                Uncertainty::Undetermined(others)
+        let mut firm = Vec::new();
+        for (k, &j) in unknowns.sought.iter().enumerate() {
+            let groups = || loose.iter().filter(|group| group.contains(&k));
+            known[j] = if !at.free.contains(&k) {
+                Uncertainty::AtBound
+            } else if groups().next().is_some() {
+                let others = groups().flatten().filter(|&&other| other != k);
+                let names = others.map(|&other| parameters[unknowns.sought[other]].name);
+                let mut names: Vec<_> = names.collect();
+                names.dedup();
+                Uncertainty::Undetermined(names)
             } else {
-                let slope = parameters[j].range.derivative(values[j]);
-                Uncertainty::StandardError(
-                    self.certain.covariance[(k, k)].sqrt() * deviation * slope,
-                )
+                firm.push(k);
+                Uncertainty::StandardError(all[(k, k)].sqrt() * sizes[k] * deviation)
             };
         }
-        known
+        Self {
+            known,
+            covariance: DMatrix::from_fn(firm.len(), firm.len(), |a, b| {
+                let (a, b) = (firm[a], firm[b]);
+                all[(a, b)] * (deviation * sizes[a]) * (deviation * sizes[b])
+            }),
+        }
     }
+}
 
-    /// Whether the data do not determine this coordinate.
-    fn is_loose(&self, k: usize) -> bool {
-        self.certain.loose.iter().any(|group| group.contains(&k))
+/// Rows whose largest element is 1, and that element: squares of the slopes could overflow.
+fn unit_rows(mut slopes: DMatrix<f64>) -> (DMatrix<f64>, Vec<f64>) {
+    let mut sizes = Vec::with_capacity(slopes.nrows());
+    for mut row in slopes.row_iter_mut() {
+        let size = row.amax();
+        if size > 0.0 {
+            row /= size;
+        }
+        sizes.push(size);
     }
+    (slopes, sizes)
+}
 
-    /// Covariance of the values that have a standard error.
-    fn covariance(&self, unknowns: &Unknowns<'_>, values: &[f64], deviation: f64) -> DMatrix<f64> {
-        let firm: Vec<usize> = (0..self.places.len())
-            .filter(|&k| !self.is_loose(k))
-            .collect();
-        let slope = |k: usize| {
-            let j = unknowns.sought[self.places[k]];
-            unknowns.model.parameters()[j].range.derivative(values[j])
-        };
-        DMatrix::from_fn(firm.len(), firm.len(), |a, b| {
-            let (a, b) = (firm[a], firm[b]);
-            self.certain.covariance[(a, b)] * (deviation * slope(a)) * (deviation * slope(b))
-        })
-    }
+/// Sought parameters whose values change along a direction of the free coordinates.
+fn moved(at: &Linearised, slopes: &DMatrix<f64>, direction: &[f64]) -> Vec<usize> {
+    let changes = |row: &usize| {
+        let parts = at.free.iter().zip(direction);
+        let parts: Vec<f64> = parts.map(|(&k, d)| slopes[(*row, k)] * d).collect();
+        let largest = parts.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
+        largest > 0.0 && parts.iter().sum::<f64>().abs() > CANCELS * largest
+    };
+    (0..slopes.nrows()).filter(changes).collect()
 }

@@ -3,8 +3,11 @@
 use super::error::FitError;
 use super::jacobian::DifferenceScale;
 use super::parameter::{Model, Range};
+use nalgebra::DMatrix;
 
 /// The free parameters, and the values of the fixed ones.
+///
+/// A free parameter that must not be below another is sought as its excess over that one.
 pub(super) struct Unknowns<'a> {
     /// The model.
     pub model: &'a dyn Model,
@@ -18,15 +21,33 @@ impl<'a> Unknowns<'a> {
     /// All parameters except the fixed ones and references.
     pub fn new(model: &'a dyn Model, given: &[(String, f64)]) -> Result<Self, FitError> {
         let fixed = fixed(model, given)?;
-        let sought: Vec<usize> = (0..fixed.len()).filter(|&j| fixed[j].is_none()).collect();
-        if sought.is_empty() {
+        let unknowns = Self::with_fixed(model, fixed);
+        if unknowns.sought.is_empty() {
             return Err(FitError::NothingFree);
         }
-        Ok(Self {
+        Ok(unknowns)
+    }
+
+    /// All parameters that are not fixed.
+    pub fn with_fixed(model: &'a dyn Model, fixed: Vec<Option<f64>>) -> Self {
+        let sought = (0..fixed.len()).filter(|&j| fixed[j].is_none()).collect();
+        Self {
             model,
             fixed,
             sought,
-        })
+        }
+    }
+
+    /// The same unknowns for another model with the same parameters.
+    pub fn with<'b>(&self, model: &'b dyn Model) -> Unknowns<'b> {
+        Unknowns::with_fixed(model, self.fixed.clone())
+    }
+
+    /// The same with one more parameter kept.
+    pub fn keeping(&self, parameter: usize, value: f64) -> Self {
+        let mut fixed = self.fixed.clone();
+        fixed[parameter] = Some(value);
+        Self::with_fixed(self.model, fixed)
     }
 
     /// All values from the coordinates of the free parameters.
@@ -34,7 +55,15 @@ impl<'a> Unknowns<'a> {
         let fixed = self.fixed.iter();
         let mut values: Vec<f64> = fixed.map(|value| value.unwrap_or(f64::NAN)).collect();
         for (&j, &x) in self.sought.iter().zip(q) {
-            values[j] = self.range(j).value(x);
+            values[j] = match self.model.above(j) {
+                None => self.range(j).value(x),
+                Some(_) => x,
+            };
+        }
+        for &j in &self.sought {
+            if let Some(low) = self.model.above(j) {
+                values[j] += values[low];
+            }
         }
         values
     }
@@ -42,41 +71,61 @@ impl<'a> Unknowns<'a> {
     /// The coordinates of values.
     pub fn coordinates(&self, values: &[f64]) -> Vec<f64> {
         let sought = self.sought.iter();
-        sought
-            .map(|&j| self.range(j).coordinate(values[j]))
-            .collect()
-    }
-
-    /// The same unknowns for another model with the same parameters.
-    pub fn with<'b>(&self, model: &'b dyn Model) -> Unknowns<'b> {
-        Unknowns {
-            model,
-            fixed: self.fixed.clone(),
-            sought: self.sought.clone(),
-        }
+        let coordinates = sought.map(|&j| match self.model.above(j) {
+            None => self.range(j).coordinate(values[j]),
+            Some(low) => (values[j] - values[low]).max(0.0),
+        });
+        coordinates.collect()
     }
 
     /// Bounds of the coordinates.
     pub fn bounds(&self) -> Vec<[f64; 2]> {
         let sought = self.sought.iter();
-        sought.map(|&j| self.range(j).bounds()).collect()
+        sought.map(|&j| self.bounds_of(j)).collect()
+    }
+
+    fn bounds_of(&self, j: usize) -> [f64; 2] {
+        let [least, most] = self.model.limits(j);
+        if self.model.above(j).is_some() {
+            return [0.0, most.max(0.0)];
+        }
+        // A fixed parameter that must not be below this one limits it.
+        let most = (0..self.fixed.len())
+            .filter(|&high| self.model.above(high) == Some(j))
+            .filter_map(|high| self.fixed[high])
+            .fold(most, f64::min);
+        let range = self.range(j);
+        let [low, high] = range.bounds();
+        let inside = |value: f64, otherwise: f64| {
+            if value.is_finite() && range.admits(value) {
+                range.coordinate(value)
+            } else {
+                otherwise
+            }
+        };
+        let (low, high) = (inside(least, low).max(low), inside(most, high).min(high));
+        [low.min(high), high]
+    }
+
+    /// ∂value/∂coordinate: a row for each sought parameter.
+    pub fn slopes(&self, values: &[f64]) -> DMatrix<f64> {
+        let count = self.sought.len();
+        let mut slopes = DMatrix::zeros(count, count);
+        for (row, &j) in self.sought.iter().enumerate() {
+            let Some(low) = self.model.above(j) else {
+                slopes[(row, row)] = self.range(j).derivative(values[j]);
+                continue;
+            };
+            slopes[(row, row)] = 1.0;
+            if let Some(column) = self.sought.iter().position(|&k| k == low) {
+                slopes[(row, column)] = self.range(low).derivative(values[low]);
+            }
+        }
+        slopes
     }
 
     fn range(&self, j: usize) -> Range {
         self.model.parameters()[j].range
-    }
-
-    /// Moves coordinates to the nearest that the law admits; unchanged ones keep their bits.
-    pub fn repair(&self, q: &mut [f64]) {
-        let before = self.values(q);
-        let mut values = before.clone();
-        let is_free: Vec<bool> = self.fixed.iter().map(Option::is_none).collect();
-        self.model.project_to_valid(&mut values, &is_free);
-        for (x, &j) in q.iter_mut().zip(&self.sought) {
-            if values[j] != before[j] {
-                *x = self.range(j).coordinate(values[j]);
-            }
-        }
     }
 
     /// Lengths over which predictions change: without logarithm at least a thousandth of the
@@ -85,7 +134,7 @@ impl<'a> Unknowns<'a> {
         const SHARE: f64 = 1e-3;
         let largest = |k: usize| starts.iter().map(|q| q[k].abs()).fold(0.0, f64::max);
         let length = |(k, &j): (usize, &usize)| match self.range(j) {
-            Range::Positive => DifferenceScale::Fold,
+            Range::Positive if self.model.above(j).is_none() => DifferenceScale::Fold,
             _ if largest(k) > 0.0 => DifferenceScale::Own {
                 least: SHARE * largest(k),
             },

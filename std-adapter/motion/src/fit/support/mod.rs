@@ -10,7 +10,7 @@
 //! cross-validated in 5 parts: push i belongs to part i mod 5, and is foretold by a model of the other four.
 
 mod convex_form;
-mod nnls;
+pub(super) mod nnls;
 mod nodes;
 mod points;
 

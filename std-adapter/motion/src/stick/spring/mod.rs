@@ -26,6 +26,7 @@ mod tally;
 mod tests;
 
 pub use outcome::{HoldPeak, SpringSummary, StickSlipRegime};
+pub(crate) use rate_state::LoadedContact;
 pub use rate_state::StateEvolutionKind;
 #[doc(hidden)]
 pub use stability::critical_stiffness;

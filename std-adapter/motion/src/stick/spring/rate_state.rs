@@ -15,7 +15,7 @@ use super::motion::{SpringIntegrator, SpringSample, spring_impulse};
 use super::rosenbrock::{OdeSystem, StepSizeControl};
 use crate::stick::MotionError;
 use tribos_core::Real;
-use tribos_core::law::{AgeingLaw, RateState, StateVariable};
+use tribos_core::law::{AgeingLaw, RateState, RateStateParameters, StateVariable};
 
 /// How the age evolves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -272,5 +272,55 @@ impl SpringIntegrator for RateStateMotion {
 
     fn runs_away(&self) -> bool {
         self.speed_of(self.y[0]) > self.runaway
+    }
+}
+
+/// Tolerance of a measured record's steps, in ln v and ln θ.
+const RECORD: f64 = 1e-7;
+/// Most steps from one point of a record to the next: a slip takes some hundred.
+const MOST_STEPS: u32 = 1000;
+
+/// A contact without mass on a spring whose other end, the load point, moves as it was recorded. Forces and the
+/// stiffness are per load.
+#[derive(Debug)]
+pub(crate) struct LoadedContact(RateStateMotion);
+
+impl LoadedContact {
+    /// Sliding steadily at a speed; `None` where the law refuses its parameters.
+    pub fn new(
+        parameters: RateStateParameters<f64>,
+        ages: StateEvolutionKind,
+        stiffness: f64,
+        speed: f64,
+    ) -> Option<Self> {
+        let law = RateState::new(parameters).ok()?;
+        let dry = RateState::new(RateStateParameters {
+            viscous: 0.0,
+            ..parameters
+        });
+        let springs = [0.0, stiffness, 1.0];
+        let motion =
+            RateStateMotion::new([law, dry.ok()?], ages, springs, [speed, speed], RECORD);
+        Some(Self(motion))
+    }
+
+    /// Moves the load point for a while at a speed; `None` where the motion cannot be followed.
+    pub fn advance(&mut self, speed: f64, duration: f64) -> Option<()> {
+        let until = self.0.time + duration;
+        for _ in 0..MOST_STEPS {
+            self.0.step(speed, until).ok()?;
+            if self.0.runs_away() {
+                return None;
+            }
+            if self.0.time >= until {
+                return Some(());
+            }
+        }
+        None
+    }
+
+    /// Friction per load.
+    pub fn friction(&self) -> f64 {
+        self.0.force()
     }
 }

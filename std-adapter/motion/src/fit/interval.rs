@@ -1,0 +1,228 @@
+//! Intervals from the profile of the sum of squares: how far a parameter can be moved, the others following, before the data
+//! refuse it.
+
+use super::estimate::Uncertainty;
+use super::jacobian::DifferenceScale;
+use super::minimise::minimise;
+use super::sample::WeightedData;
+use super::search::problem;
+use super::unknowns::Unknowns;
+use tribos_base::run::in_order;
+
+/// Normal quantile of an interval that covers 95 %.
+const NORMAL: f64 = 1.959_963_984_540_054;
+/// Relative error of the boundary that is good enough.
+const CLOSE: f64 = 0.02;
+/// Most minimisations on one side.
+const MOST: usize = 8;
+/// Largest factor of the distance from one trial to the next.
+const GROWTH: f64 = 4.0;
+/// Relative offset at which a minimisation on the profile ends.
+const OFFSET: f64 = 1e-4;
+/// Decrease of the sum of squares that is another minimum, relative to it.
+const LOWER: f64 = 1e-6;
+/// First distance of a parameter at its bound, in its natural size.
+const STEP: f64 = 0.1;
+
+/// Quantile of Student's t for an interval that covers 95 %.
+///
+/// *Accuracy*: 2e-3 from 3 degrees of freedom on (Cornish and Fisher, to the fourth order); 4 digits for 1 and 2.
+pub(super) fn student(freedoms: f64) -> f64 {
+    if freedoms < 1.5 {
+        return 12.706;
+    }
+    if freedoms < 2.5 {
+        return 4.3027;
+    }
+    let (z, n) = (NORMAL, freedoms);
+    let [z3, z5, z7, z9] = [3, 5, 7, 9].map(|power| (0..power).fold(1.0, |x, _| x * z));
+    z + (z3 + z) / (4.0 * n)
+        + (5.0 * z5 + 16.0 * z3 + 3.0 * z) / (96.0 * n * n)
+        + (3.0 * z7 + 19.0 * z5 + 17.0 * z3 - 15.0 * z) / (384.0 * n * n * n)
+        + (79.0 * z9 + 776.0 * z7 + 1482.0 * z5 - 1920.0 * z3 - 945.0 * z)
+            / (92_160.0 * n * n * n * n)
+}
+
+/// The profile of a fit around its minimum.
+pub(super) struct Profile<'a> {
+    pub unknowns: &'a Unknowns<'a>,
+    pub target: &'a WeightedData,
+    pub lengths: &'a [DifferenceScale],
+    /// Values at the minimum.
+    pub values: &'a [f64],
+    /// The minimum.
+    pub cost: f64,
+    /// Standard deviation of a residual, with what correlation adds.
+    pub deviation: f64,
+    /// Distance of the interval's ends in standard deviations.
+    pub quantile: f64,
+}
+
+/// What a profile found.
+pub(super) enum Profiled {
+    /// The ends of the interval of each parameter.
+    Intervals(Vec<[f64; 2]>),
+    /// Values with a smaller sum of squares.
+    Lower(Vec<f64>),
+}
+
+impl Profile<'_> {
+    /// Intervals of all parameters by the profile.
+    pub fn intervals(&self, known: &[Uncertainty]) -> Profiled {
+        let sides: Vec<(usize, f64)> = self
+            .unknowns
+            .sought
+            .iter()
+            .filter(|&&j| !matches!(known[j], Uncertainty::Undetermined(_)))
+            .flat_map(|&j| [(j, -1.0), (j, 1.0)])
+            .collect();
+        let mut intervals = self.without_data(known);
+        let threads = std::thread::available_parallelism().map_or(1, usize::from);
+        let end = |index: usize| {
+            let (parameter, side) = sides[index];
+            self.end(parameter, side, &known[parameter])
+        };
+        let ends: Vec<_> = if threads == 1 {
+            (0..sides.len()).map(end).collect()
+        } else {
+            let ends = in_order(sides.len(), threads, end);
+            ends.into_iter().map(|end| end.unwrap_or(Ok(f64::NAN))).collect()
+        };
+        for (&(parameter, side), end) in sides.iter().zip(ends) {
+            match end {
+                Ok(end) => intervals[parameter][usize::from(side > 0.0)] = end,
+                Err(lower) => return Profiled::Lower(lower),
+            }
+        }
+        Profiled::Intervals(intervals)
+    }
+
+    /// Intervals of the linearised law, in the coordinate of each parameter.
+    pub fn linear(&self, known: &[Uncertainty]) -> Vec<[f64; 2]> {
+        let mut intervals = self.without_data(known);
+        for &j in &self.unknowns.sought {
+            if let Uncertainty::StandardError(error) = known[j] {
+                let range = self.unknowns.model.parameters()[j].range;
+                let value = self.values[j];
+                let at = range.coordinate(value);
+                let [low, high] = range.bounds();
+                let reach = self.quantile * error / range.derivative(value);
+                intervals[j] = [
+                    range.value((at - reach).max(low)),
+                    range.value((at + reach).min(high)),
+                ];
+            }
+        }
+        intervals
+    }
+
+    /// A fixed parameter has its value; the data tell nothing of others.
+    fn without_data(&self, known: &[Uncertainty]) -> Vec<[f64; 2]> {
+        let intervals = self.values.iter().zip(known).map(|(value, known)| match known {
+            Uncertainty::Fixed => [*value; 2],
+            Uncertainty::AtBound | Uncertainty::Undetermined(_) => {
+                [f64::NEG_INFINITY, f64::INFINITY]
+            }
+            Uncertainty::StandardError(_) => [f64::NAN; 2],
+        });
+        intervals.collect()
+    }
+
+    /// The value on one side at which the sum of squares has risen to the quantile, or values with a smaller sum.
+    fn end(&self, parameter: usize, side: f64, known: &Uncertainty) -> Result<f64, Vec<f64>> {
+        let range = self.unknowns.model.parameters()[parameter].range;
+        let value = self.values[parameter];
+        let at = range.coordinate(value);
+        let [low, high] = self.ends_of_range(parameter, range.bounds());
+        let mut reach = match known {
+            Uncertainty::StandardError(error) => {
+                self.quantile * error / range.derivative(value)
+            }
+            _ => STEP * at.abs().max(self.natural(parameter)),
+        };
+        let mut others = self.values.to_vec();
+        for _ in 0..MOST {
+            let place = (at + side * reach).max(low).min(high);
+            if place == at {
+                return Ok(value);
+            }
+            let moved = range.value(place);
+            let Some((cost, found)) = self.at(parameter, moved, &others) else {
+                reach *= 0.5;
+                continue;
+            };
+            if cost < self.cost * (1.0 - LOWER) - self.target.floor() {
+                return Err(found);
+            }
+            let rise = (cost - self.cost).max(0.0).sqrt() / self.deviation;
+            if (rise / self.quantile - 1.0).abs() < CLOSE {
+                return Ok(moved);
+            }
+            if rise < self.quantile && (place <= low || place >= high) {
+                return Ok(moved);
+            }
+            let factor = (self.quantile / rise).min(GROWTH).max(1.0 / GROWTH);
+            reach = (place - at).abs() * factor;
+            others = found;
+        }
+        Ok(range.value((at + side * reach).max(low).min(high)))
+    }
+
+    /// The natural size of a parameter that is at its bound.
+    fn natural(&self, parameter: usize) -> f64 {
+        let place = self.unknowns.sought.iter().position(|&j| j == parameter);
+        place.map_or(1.0, |place| self.lengths[place].least())
+    }
+
+    /// Bounds of the parameter's coordinate.
+    fn ends_of_range(&self, parameter: usize, [low, high]: [f64; 2]) -> [f64; 2] {
+        let model = self.unknowns.model;
+        if model.above(parameter).is_some() {
+            return [low, high];
+        }
+        let [least, most] = model.limits(parameter);
+        let range = model.parameters()[parameter].range;
+        let inside = |value: f64, otherwise: f64| {
+            if value.is_finite() && range.admits(value) {
+                range.coordinate(value)
+            } else {
+                otherwise
+            }
+        };
+        [inside(least, low).max(low), inside(most, high).min(high)]
+    }
+
+    /// The least sum of squares with one parameter kept, and the values there.
+    fn at(&self, parameter: usize, value: f64, others: &[f64]) -> Option<(f64, Vec<f64>)> {
+        let unknowns = self.unknowns.keeping(parameter, value);
+        if unknowns.sought.is_empty() {
+            let mut values = others.to_vec();
+            values[parameter] = value;
+            let residuals = self.target.residuals_of(unknowns.model, &values)?;
+            return Some((residuals.iter().map(|r| r * r).sum(), values));
+        }
+        let places = self.unknowns.sought.iter().enumerate();
+        let lengths = places.filter(|(_, j)| **j != parameter);
+        let lengths: Vec<_> = lengths.map(|(k, _)| self.lengths[k]).collect();
+        let residuals = |q: &[f64]| self.target.residuals(&unknowns, q);
+        let mut problem = problem(&residuals, &unknowns, self.target, &lengths);
+        problem.offset = OFFSET;
+        let mut start = others.to_vec();
+        start[parameter] = value;
+        let end = minimise(&problem, &unknowns.coordinates(&start), &mut |_| ())?;
+        Some((end.cost, unknowns.values(&end.q)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::student;
+
+    #[test]
+    fn quantiles_are_those_of_tables() {
+        // Abramowitz and Stegun, table 26.10.
+        for (freedoms, wanted) in [(1.0, 12.706), (2.0, 4.303), (3.0, 3.182), (5.0, 2.571), (10.0, 2.228), (30.0, 2.042)] {
+            assert!((student(freedoms) - wanted).abs() < 2e-3 * wanted, "{freedoms}");
+        }
+    }
+}

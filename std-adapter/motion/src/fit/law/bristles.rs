@@ -1,0 +1,257 @@
+//! Laws whose memory is the deflection of bristles: LuGre, Dahl, and the elasto-plastic law of Dupont.
+
+use super::super::parameter::{FitParameter, Range};
+use super::form::{Form, around, log_between, parameter};
+use super::guess::Guess;
+use super::record::Memory;
+use tribos_core::law::{Bristle, LuGre, LuGreParameters};
+
+pub(super) const COULOMB_FORCE: FitParameter = parameter("fc", "N", "Coulomb force", Range::Positive);
+pub(super) const STATIC_FORCE: FitParameter = parameter("fs", "N", "static force", Range::Positive);
+pub(super) const STRIBECK_SPEED: FitParameter =
+    parameter("vs", "m/s", "Stribeck speed", Range::Positive);
+pub(super) const VISCOUS_DAMPING: FitParameter =
+    parameter("s2", "N s/m", "viscous damping", Range::NotNegative);
+pub(super) const STIFFNESS: FitParameter =
+    parameter("s0", "N/m", "stiffness of the bristles", Range::Positive);
+const BRISTLE_DAMPING: FitParameter =
+    parameter("s1", "N s/m", "damping of the bristles", Range::NotNegative);
+
+/// Factor about the guessed stiffness that starts cover to either side.
+const STIFFNESS_FOLD: f64 = 30.0;
+
+/// Starts of a joint: the guessed steady branch, the stiffness about the guess, some damping.
+fn joint(guess: &Guess, unit: &[f64]) -> [f64; 6] {
+    /// Damping of bristles at the largest speed, over the largest friction.
+    const DAMPING: [f64; 2] = [1e-4, 1.0];
+    let force = guess.forces[1];
+    let fc = guess.coulomb * around(unit[0], 1.5);
+    [
+        fc,
+        fc + (guess.excess + 0.02 * force) * 2.0 * unit[1],
+        guess.stribeck_speed * around(unit[2], 10.0),
+        (guess.viscous + 0.01 * force / guess.speeds[1]) * 2.0 * unit[3],
+        guess.stiffness * around(unit[4], STIFFNESS_FOLD),
+        log_between(unit[5], DAMPING) * force / guess.speeds[1],
+    ]
+}
+
+/// Deflection that carries the measured friction, as far as bristles do.
+fn deflection(friction: f64, stiffness: f64, limit: f64) -> f64 {
+    friction.max(-limit).min(limit) / stiffness
+}
+
+impl Memory for LuGre<f64> {
+    const FORM: Form = Form {
+        parameters: &[
+            COULOMB_FORCE,
+            STATIC_FORCE,
+            STRIBECK_SPEED,
+            VISCOUS_DAMPING,
+            STIFFNESS,
+            BRISTLE_DAMPING,
+        ],
+        linear: &["fc", "fs", "s2"],
+        ordered: Some(["fc", "fs"]),
+        reference: None,
+        start: |guess, unit| joint(guess, unit).to_vec(),
+    };
+    const FORGETS: bool = true;
+    type State = Bristle<f64>;
+
+    fn new(values: &[f64]) -> Option<Self> {
+        let &[coulomb_force, static_force, stribeck_speed, viscous_damping, stiffness, bristle_damping] =
+            values
+        else {
+            return None;
+        };
+        LuGre::new(LuGreParameters {
+            coulomb_force,
+            static_force,
+            stribeck_speed,
+            viscous_damping,
+            stiffness,
+            bristle_damping,
+        })
+        .ok()
+    }
+
+    fn first(&self, velocity: f64, friction: f64) -> Bristle<f64> {
+        let p = self.parameters();
+        let carried = friction - p.viscous_damping * velocity;
+        let limit = self.steady_bristle_force(velocity);
+        Bristle {
+            deflection: deflection(carried, p.stiffness, limit),
+        }
+    }
+
+    fn advance(&self, state: Bristle<f64>, velocity: f64, dt: f64) -> Bristle<f64> {
+        self.step(state, velocity, dt).0
+    }
+
+    fn friction(&self, state: Bristle<f64>, velocity: f64) -> f64 {
+        self.force(state, velocity)
+    }
+}
+
+/// Dahl's law z' = v (1 − σ₀ z sgn v/F_c), F = σ₀ z.
+///
+/// *Source*: Dahl 1968.
+pub(super) struct Dahl(LuGre<f64>);
+
+impl Memory for Dahl {
+    const FORM: Form = Form {
+        parameters: &[COULOMB_FORCE, STIFFNESS],
+        linear: &["fc"],
+        ordered: None,
+        reference: None,
+        start: |guess, unit| {
+            vec![
+                guess.coulomb * around(unit[0], 1.5),
+                guess.stiffness * around(unit[1], STIFFNESS_FOLD),
+            ]
+        },
+    };
+    const FORGETS: bool = true;
+    type State = Bristle<f64>;
+
+    // LuGre without damping and without a Stribeck curve.
+    fn new(values: &[f64]) -> Option<Self> {
+        let &[force, stiffness] = values else {
+            return None;
+        };
+        LuGre::new(LuGreParameters {
+            coulomb_force: force,
+            static_force: force,
+            stribeck_speed: 1.0,
+            viscous_damping: 0.0,
+            stiffness,
+            bristle_damping: 0.0,
+        })
+        .ok()
+        .map(Self)
+    }
+
+    fn first(&self, velocity: f64, friction: f64) -> Bristle<f64> {
+        Memory::first(&self.0, velocity, friction)
+    }
+
+    fn advance(&self, state: Bristle<f64>, velocity: f64, dt: f64) -> Bristle<f64> {
+        self.0.step(state, velocity, dt).0
+    }
+
+    fn friction(&self, state: Bristle<f64>, _: f64) -> f64 {
+        self.0.parameters().stiffness * state.deflection
+    }
+}
+
+/// Bristles that only bend below a break-away deflection, so that a joint under a small alternating force does
+/// not creep.
+///
+/// z' = v (1 − α σ₀ z sgn v/g(v)): α is 0 below the break-away deflection z_ba and in unloading, rises as half a
+/// wave of the sine to 1 at g/σ₀, and F = σ₀ z + σ₁ z' + σ₂ v.
+///
+/// *Source*: P. Dupont, V. Hayward, B. Armstrong, F. Altpeter, IEEE Trans. Automatic Control 47 (2002) 787.
+pub(super) struct ElastoPlastic {
+    law: LuGre<f64>,
+    /// z_ba σ₀/g: share of the largest deflection.
+    share: f64,
+}
+
+impl ElastoPlastic {
+    /// α
+    fn yielding(&self, deflection: f64, velocity: f64) -> f64 {
+        if deflection * velocity <= 0.0 {
+            return 0.0;
+        }
+        let p = self.law.parameters();
+        let most = self.law.steady_bristle_force(velocity) / p.stiffness;
+        let bent = deflection.abs() / most;
+        if bent <= self.share {
+            0.0
+        } else if bent >= 1.0 {
+            1.0
+        } else {
+            let middle = 0.5 * (1.0 + self.share);
+            let angle = std::f64::consts::PI * (bent - middle) / (1.0 - self.share);
+            0.5 * (1.0 + libm::sin(angle))
+        }
+    }
+
+    fn rate(&self, deflection: f64, velocity: f64) -> f64 {
+        let p = self.law.parameters();
+        let limit = self.law.steady_bristle_force(velocity);
+        let bent = p.stiffness * deflection * velocity.signum() / limit;
+        velocity * (1.0 - self.yielding(deflection, velocity) * bent)
+    }
+}
+
+/// Largest change of the deflection in one step, over its largest value.
+const BEND: f64 = 0.05;
+/// Most steps at one velocity.
+const MOST_STEPS: f64 = 400.0;
+
+impl Memory for ElastoPlastic {
+    const FORM: Form = Form {
+        parameters: &[
+            COULOMB_FORCE,
+            STATIC_FORCE,
+            STRIBECK_SPEED,
+            VISCOUS_DAMPING,
+            STIFFNESS,
+            BRISTLE_DAMPING,
+            parameter(
+                "zba",
+                "-",
+                "break-away deflection over the largest",
+                Range::Between {
+                    above: 0.0,
+                    up_to: 0.95,
+                },
+            ),
+        ],
+        linear: &["fc", "fs", "s2"],
+        ordered: Some(["fc", "fs"]),
+        reference: None,
+        start: |guess, unit| {
+            let mut start = joint(guess, unit).to_vec();
+            start.push(0.1 + 0.8 * unit[6]);
+            start
+        },
+    };
+    const FORGETS: bool = true;
+    type State = f64;
+
+    fn new(values: &[f64]) -> Option<Self> {
+        let (share, joint) = values.split_last()?;
+        let law = <LuGre<f64> as Memory>::new(joint)?;
+        Some(Self { law, share: *share })
+    }
+
+    fn first(&self, velocity: f64, friction: f64) -> f64 {
+        Memory::first(&self.law, velocity, friction).deflection
+    }
+
+    fn advance(&self, deflection: f64, velocity: f64, dt: f64) -> f64 {
+        let p = self.law.parameters();
+        let most = self.law.steady_bristle_force(velocity) / p.stiffness;
+        let slid = velocity.abs() * dt;
+        // Long slides end in steady sliding; short ones take midpoint steps.
+        let needed = (slid / (BEND * most)).ceil();
+        let steps = needed.max(1.0).min(MOST_STEPS);
+        let step = dt * (needed.min(MOST_STEPS) / needed.max(1.0)) / steps;
+        let mut z = deflection;
+        for _ in 0..steps as u32 {
+            let middle = z + 0.5 * step * self.rate(z, velocity);
+            z += step * self.rate(middle, velocity);
+        }
+        z.max(-most).min(most)
+    }
+
+    fn friction(&self, deflection: f64, velocity: f64) -> f64 {
+        let p = self.law.parameters();
+        p.stiffness * deflection
+            + p.bristle_damping * self.rate(deflection, velocity)
+            + p.viscous_damping * velocity
+    }
+}

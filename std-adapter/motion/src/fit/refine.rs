@@ -1,0 +1,183 @@
+//! The motion between the points of a record: steps until the answer no longer depends on them.
+
+use super::Measurements;
+use super::jacobian::{DifferenceScale, Order};
+use super::linearised::Linearised;
+use super::minimise::Minimum;
+use super::parameter::{Between, Course, Model};
+use super::sample::WeightedData;
+use super::search::{Watch, descents, problem};
+use super::unknowns::Unknowns;
+
+/// Change of a parameter, in standard errors, that more steps may still make.
+const AGREE: f64 = 0.1;
+/// Change, in standard errors, by another course of the velocity that is told.
+const TOLD: f64 = 1.0;
+/// Change of a parameter, over the parameter, that is rounding.
+const NOTHING: f64 = 1e-4;
+/// Factor from one number of steps to the next: errors shrink by its square.
+const MORE: u32 = 4;
+/// Most steps between two points.
+const MOST: u32 = 64;
+/// Most steps in a record.
+const MOST_IN_ALL: usize = 20_000_000;
+/// Share of the intervals of a record whose velocity stays, from which on it changes by jumps.
+const STEADY: f64 = 0.8;
+/// Change of the velocity that is a jump, and the largest that is none, over the velocity.
+const JUMP: [f64; 2] = [0.2, 1e-3];
+
+/// A change of one parameter, in its standard errors, by what the record leaves open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Shift {
+    /// Index of the parameter.
+    pub parameter: usize,
+    /// New value less old one.
+    pub change: f64,
+    /// The same over the standard error.
+    pub errors: f64,
+}
+
+/// The minima on the chosen path.
+pub(super) struct Refined<'a> {
+    /// The model on that path, if it is another than the given one.
+    pub model: Option<Box<dyn Model + 'a>>,
+    /// Different minima by rising cost.
+    pub minima: Vec<(Minimum, usize)>,
+    /// The path.
+    pub path: Between,
+    /// What more steps would still change, if that counts.
+    pub by_steps: Option<Shift>,
+    /// What another course between the points would change, if that counts.
+    pub by_course: Option<Shift>,
+}
+
+/// A search whose model may be followed along other paths.
+pub(super) struct Paths<'a, 'b> {
+    pub model: &'a dyn Model,
+    pub unknowns: &'b Unknowns<'a>,
+    pub data: &'b Measurements,
+    pub target: &'b WeightedData,
+    pub lengths: &'b [DifferenceScale],
+    pub watch: &'b Watch<'b>,
+}
+
+impl<'a> Paths<'a, '_> {
+    /// Minima at which neither more steps nor another course between the points count any more, or what they change.
+    pub fn refine(&self, minima: Vec<(Minimum, usize)>) -> Refined<'a> {
+        let mut found = Refined {
+            model: None,
+            minima,
+            path: Between::PLAIN,
+            by_steps: None,
+            by_course: None,
+        };
+        if self.model.along(Between::PLAIN).is_none() {
+            return found;
+        }
+        if is_stepped(self.data.velocities()) {
+            for course in [Course::JumpsMidway, Course::JumpsAtOnce, Course::JumpsLate] {
+                let other = self.on(Between { steps: 1, course }, &found.minima);
+                if let Some(other) = other
+                    && cost(&other.minima) < cost(&found.minima)
+                {
+                    found = other;
+                }
+            }
+            return found;
+        }
+        self.more_steps(&mut found);
+        let smooth = Between {
+            steps: found.path.steps.max(MORE),
+            course: Course::Smooth,
+        };
+        let counts = |shift: &Shift| shift.errors > TOLD;
+        found.by_course = self.shift(&found, smooth).filter(counts);
+        found
+    }
+
+    /// Takes more steps until they no longer count.
+    fn more_steps(&self, found: &mut Refined<'a>) {
+        loop {
+            let next = Between {
+                steps: found.path.steps * MORE,
+                ..found.path
+            };
+            found.by_steps = self.shift(found, next);
+            let steps = next.steps as usize * self.data.friction().len();
+            if found.by_steps.is_none() || next.steps > MOST || steps > MOST_IN_ALL {
+                return;
+            }
+            match self.on(next, &found.minima) {
+                Some(finer) => *found = finer,
+                None => return,
+            }
+        }
+    }
+
+    /// The minima on another path.
+    fn on(&self, path: Between, from: &[(Minimum, usize)]) -> Option<Refined<'a>> {
+        let model = self.model.along(path)?;
+        let unknowns = self.unknowns.with(model.as_ref());
+        let places: Vec<Vec<f64>> = from.iter().map(|(end, _)| end.q.clone()).collect();
+        let ends = descents(&unknowns, self.target, self.lengths, &places, self.watch);
+        let counted = ends.into_iter().zip(from);
+        let mut minima: Vec<_> = counted
+            .filter_map(|(end, (_, count))| Some((end?, *count)))
+            .collect();
+        minima.sort_by(|(a, _), (b, _)| a.cost.total_cmp(&b.cost));
+        (!minima.is_empty()).then_some(Refined {
+            model: Some(model),
+            minima,
+            path,
+            by_steps: None,
+            by_course: None,
+        })
+    }
+
+    /// The largest change, in standard errors, of a parameter on another path, if it counts.
+    fn shift(&self, found: &Refined<'a>, path: Between) -> Option<Shift> {
+        let other = self.model.along(path)?;
+        let here = self.unknowns.with(found.model.as_deref().unwrap_or(self.model));
+        let there = self.unknowns.with(other.as_ref());
+        let q = &found.minima.first()?.0.q;
+        let moved = self.target.residuals(&there, q)?;
+        let residuals = |q: &[f64]| self.target.residuals(&here, q);
+        let problem = problem(&residuals, &here, self.target, self.lengths);
+        let at = Linearised::at(&problem, q, Order::Second)?;
+        let change: Vec<f64> = moved.iter().zip(&at.residuals).map(|(a, b)| a - b).collect();
+        let steps = at.response(&change);
+        let values = here.values(q);
+        let slopes = here.slopes(&values);
+        let covariance = &slopes * at.covariance(&here) * slopes.transpose();
+        let steps = &slopes * steps;
+        let shifts = here.sought.iter().enumerate().map(|(k, &parameter)| {
+            let error = covariance[(k, k)].sqrt() * at.deviation();
+            Shift {
+                parameter,
+                change: steps[k],
+                errors: (steps[k] / error).abs(),
+            }
+        });
+        let counts = |shift: &Shift| {
+            shift.errors > AGREE && shift.change.abs() > NOTHING * values[shift.parameter].abs()
+        };
+        let shifts = shifts.filter(|shift| shift.errors.is_finite() && counts(shift));
+        shifts.max_by(|a, b| a.errors.total_cmp(&b.errors))
+    }
+}
+
+fn cost(minima: &[(Minimum, usize)]) -> f64 {
+    minima.first().map_or(f64::INFINITY, |(end, _)| end.cost)
+}
+
+/// Whether the velocity stays but for jumps.
+fn is_stepped(velocities: &[f64]) -> bool {
+    let [jump, stay] = JUMP;
+    let change = |pair: &[f64]| (pair[1] - pair[0]).abs() / pair[0].abs().max(pair[1].abs());
+    let stays = velocities.windows(2).filter(|pair| {
+        let change = change(pair);
+        change.is_nan() || change <= stay
+    });
+    let jumps = velocities.windows(2).any(|pair| change(pair) >= jump);
+    jumps && stays.count() as f64 >= STEADY * (velocities.len() - 1) as f64
+}

@@ -1,0 +1,113 @@
+//! From a minimum to a result: errors, intervals, and what to be careful of.
+
+use super::caution::{Caution, cautions};
+use super::error::FitError;
+use super::estimate::{Estimate, Fit};
+use super::interval::{Profile, Profiled, student};
+use super::jacobian::Order;
+use super::linearised::Linearised;
+use super::minimise::Minimum;
+use super::refine::{Paths, Refined};
+use super::residual_tests::{ResidualTests, residual_tests};
+use super::search::{Search, problem};
+use super::standard_errors::Certainties;
+
+/// Steps of a record, times free parameters, up to which intervals come from profiles: beyond, errors are so small that
+/// the law is linear within them.
+const MOST_PROFILED: usize = 200_000;
+/// Probability of the residuals' runs below which correlation over time enlarges the errors.
+pub(super) const CORRELATED: f64 = 1e-4;
+
+/// A result, or a smaller sum of squares that its intervals came upon.
+pub(super) enum Certified {
+    /// The result.
+    Fit(Box<Fit>),
+    /// Where to search on.
+    Lower(Minimum),
+}
+
+impl Certified {
+    /// The best of the refined minima with its certainty.
+    pub fn of(paths: &Paths<'_, '_>, search: &Search, refined: Refined<'_>) -> Result<Self, FitError> {
+        let model = refined.model.as_deref().unwrap_or(paths.model);
+        let unknowns = paths.unknowns.with(model);
+        let (best, at_best) = refined.minima.first().ok_or(FitError::NoStart)?;
+        let residuals = |q: &[f64]| paths.target.residuals(&unknowns, q);
+        let problem = problem(&residuals, &unknowns, paths.target, paths.lengths);
+        let at = Linearised::at(&problem, &best.q, Order::Fourth).ok_or(FitError::NoStart)?;
+        let values = unknowns.values(&best.q);
+        let (data, unit) = (paths.data, paths.target.unit);
+        let freedoms = at.residuals.len() - unknowns.sought.len();
+        let tests = paths.data.times().and_then(|_| residual_tests(&at.residuals, None));
+        let factor = tests.as_ref().map_or(1.0, growth);
+        // Without known deviations their size is estimated from the residuals.
+        let (deviation, quantile) = match data.sigma() {
+            Some(_) => (unit, student(f64::INFINITY)),
+            None => (at.deviation(), student(freedoms as f64 / (factor * factor))),
+        };
+        let certain = Certainties::of(&at, &unknowns, &values, deviation * factor);
+        let profile = Profile {
+            unknowns: &unknowns,
+            target: paths.target,
+            lengths: paths.lengths,
+            values: &values,
+            cost: best.cost,
+            deviation: deviation * factor,
+            quantile,
+        };
+        let steps = at.residuals.len() * refined.path.steps as usize * unknowns.sought.len();
+        let intervals = if steps > MOST_PROFILED || best.cost <= problem.floor {
+            profile.linear(&certain.known)
+        } else {
+            match profile.intervals(&certain.known) {
+                Profiled::Intervals(intervals) => intervals,
+                Profiled::Lower(lower) => {
+                    return Ok(Self::Lower(Minimum {
+                        q: unknowns.coordinates(&lower),
+                        ..best.clone()
+                    }));
+                }
+            }
+        };
+        let parameters = unknowns.model.parameters().iter();
+        let parameters = parameters.enumerate().map(|(j, parameter)| Estimate {
+            parameter: *parameter,
+            value: values[j],
+            known: certain.known[j].clone(),
+            interval: intervals[j],
+        });
+        let nothing = || vec![f64::NAN; at.residuals.len()];
+        let mut fit = Fit {
+            parameters: parameters.collect(),
+            covariance: certain.covariance,
+            predictions: model.predict(&values).unwrap_or_else(nothing),
+            cost: best.cost / unit / unit,
+            deviation: at.deviation() / unit,
+            freedoms,
+            is_weighted: data.sigma().is_some(),
+            converged: best.converged,
+            starts: search.starts,
+            at_best: *at_best,
+            iterations: best.iterations,
+            searched: search.searched,
+            cautions: Vec::new(),
+        };
+        let name = |shift: super::refine::Shift| {
+            let name = fit.parameters[shift.parameter].parameter.name;
+            (name, shift.change, shift.errors)
+        };
+        let left = [refined.by_steps.map(name), refined.by_course.map(name)];
+        let mut all: Vec<Caution> = cautions(&fit, tests.as_ref(), left);
+        fit.cautions.append(&mut all);
+        Ok(Self::Fit(Box::new(fit)))
+    }
+}
+
+/// Factor of the standard errors for residuals that follow each other.
+fn growth(tests: &ResidualTests) -> f64 {
+    if tests.runs_p < CORRELATED {
+        tests.error_factor.max(1.0)
+    } else {
+        1.0
+    }
+}
