@@ -46,7 +46,7 @@ pub static LAWS: LazyLock<Vec<LawInstance>> =
     LazyLock::new(|| usual().into_iter().map(of).chain(OTHERS).collect());
 
 /// Other values.
-const OTHERS: [LawInstance; 16] = [
+const OTHERS: [LawInstance; 18] = [
     of("power:gamma=0.7,alpha=-0.5"),
     of("power:gamma=0.7,alpha=2.5"),
     of("stribeck:mu_s=0.15,mu_d=0.1,vs=0.01,delta=0.5,k=0.5"),
@@ -69,6 +69,14 @@ const OTHERS: [LawInstance; 16] = [
     LawInstance {
         exact: &NARROW_BELL,
         ..of("savkoor:mu0=0.6,mu_m=1.2,vm=0.5,h=2")
+    },
+    LawInstance {
+        exact: &RISE,
+        ..on_disk("rising:mu_s=0.04,mu_f=0.12,vr=0.04", [1e-4, 10.0])
+    },
+    LawInstance {
+        exact: &SMOOTH_STEP,
+        ..on_disk("tanh:mu=0.8,vt=0.01", [1e-4, 1.0])
     },
     on_disk(
         "rate-state:mu0=0.6,a=0.01,b=0.015,v0=1e-6,dc=1e-5,eta=2",
@@ -101,6 +109,29 @@ const NARROW_BELL: [[f64; 3]; 6] = [
     [0.7, 0.9814864724116401, -1.466966932720928],
     [3.0, 0.600001588955611, -7.59207003205463e-6],
     [f64::INFINITY, 0.6, 0.0],
+];
+
+/// The rise for μₛ = 0.04, μ_f = 0.12, v_r = 0.04: mpmath in 40 digits.
+const RISE: [[f64; 3]; 8] = [
+    [0.0, 0.04, 2.0],
+    [1e-9, 0.04000000199999997, 1.9999999500000006],
+    [1e-3, 0.04197520703773339, 1.9506198240566653],
+    [0.04, 0.09056964470628461, 0.7357588823428846],
+    [0.1, 0.1134332001100881, 0.164169997247798],
+    [1.0, 0.11999999999888896, 2.777588772992804e-11],
+    [20.0, 0.12, 1.424915281348257e-217],
+    [f64::INFINITY, 0.12, 0.0],
+];
+/// The hyperbolic tangent for μ = 0.8, v_t = 0.01: mpmath in 40 digits.
+const SMOOTH_STEP: [[f64; 3]; 8] = [
+    [1e-300, 8e-299, 80.0],
+    [1e-9, 7.999999999999974e-8, 79.9999999999992],
+    [1e-3, 0.07973439569996466, 79.20530326779518],
+    [0.01, 0.6092753247646119, 33.59794732912208],
+    [0.03, 0.7960438029493844, 0.7892829732352155],
+    [0.2, 0.8, 1.3594733616933054e-15],
+    [3.5, 0.8, 3.155096494003127e-302],
+    [f64::INFINITY, 0.8, 0.0],
 ];
 
 /// The law of this text, in either precision.

@@ -6,6 +6,8 @@
 //! | [`PowerLaw`], [`PlateauPowerLaw`] | a power of the speed | yes |
 //! | [`Stribeck`] | speed: boundary and hydrodynamic lubrication | yes |
 //! | [`Savkoor`] | speed: the maximum of rubber | yes |
+//! | [`RisingLaw`] | speed: the rise of PTFE from rest to a level | yes |
+//! | [`TanhLaw`] | speed: Coulomb friction made smooth at rest | yes |
 //! | [`StaticAgeing`] | time of rest | – |
 //! | [`RateState`] | speed and age, ageing law [`AgeingLaw`] or slip law [`SlipLaw`] | [`SteadyRateState`] |
 //! | [`LuGre`] | velocity and deflection of bristles | [`LuGre::steady_per_load`] |
@@ -37,9 +39,11 @@ mod lugre;
 mod plateau;
 mod power;
 mod rate_state;
+mod rising;
 mod savkoor;
 mod steady_rate_state;
 mod stribeck;
+mod tanh;
 
 pub use ageing::{RestTime, StaticAgeing};
 pub use contact_age::{AgeingLaw, SlipLaw, StateEvolution, StateVariable};
@@ -53,9 +57,11 @@ pub use lugre::{Bristle, LuGre, LuGreParameters, SteadyLuGre};
 pub use plateau::{PlateauPowerLaw, PlateauPowerLawParameters};
 pub use power::PowerLaw;
 pub use rate_state::{RateState, RateStateParameters};
+pub use rising::{RisingLaw, RisingLawParameters};
 pub use savkoor::{Savkoor, SavkoorParameters};
 pub use steady_rate_state::SteadyRateState;
 pub use stribeck::{Stribeck, StribeckParameters};
+pub use tanh::TanhLaw;
 
 use crate::real::Real;
 

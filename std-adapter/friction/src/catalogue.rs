@@ -3,8 +3,8 @@
 use std::fmt;
 use tribos_core::law::{
     CoulombLaw, DryFriction, LawError, LocalLaw, LuGre, LuGreParameters, PlateauPowerLaw,
-    PlateauPowerLawParameters, PowerLaw, RateState, RateStateParameters, Savkoor,
-    SavkoorParameters, Stribeck, StribeckParameters,
+    PlateauPowerLawParameters, PowerLaw, RateState, RateStateParameters, RisingLaw,
+    RisingLawParameters, Savkoor, SavkoorParameters, Stribeck, StribeckParameters, TanhLaw,
 };
 use tribos_core::real::Real;
 
@@ -136,6 +136,18 @@ fn savkoor<R: Real + 'static>([mu0, mu_m, vm, h, ..]: Values<R>) -> LawResult<R>
         speed: vm,
         narrowness: h,
     })?))
+}
+
+fn rising<R: Real + 'static>([mu_s, mu_f, vr, ..]: Values<R>) -> LawResult<R> {
+    Ok(Box::new(RisingLaw::new(RisingLawParameters {
+        mu_rest: mu_s,
+        mu_fast: mu_f,
+        speed: vr,
+    })?))
+}
+
+fn tanh<R: Real + 'static>([mu, vt, ..]: Values<R>) -> LawResult<R> {
+    Ok(Box::new(TanhLaw::new(mu, vt)?))
 }
 
 fn rate_state<R: Real + 'static>(
@@ -284,6 +296,29 @@ pub const LAWS: &[LawEntry] = &[
         ],
         source: "Savkoor 1966",
         local: local(savkoor, savkoor),
+    },
+    LawEntry {
+        name: "rising",
+        summary: "rises from rest and levels off, as of PTFE",
+        formula: "mu_f - (mu_f - mu_s) exp(-v/vr)",
+        parameters: &[
+            needed("mu_s", "-", "coefficient at rest, <= mu_f"),
+            needed("mu_f", "-", "coefficient of fast sliding"),
+            needed("vr", "m/s", "speed over which it rises, > 0"),
+        ],
+        source: "Constantinou, Mokha, Reinhorn 1990",
+        local: local(rising, rising),
+    },
+    LawEntry {
+        name: "tanh",
+        summary: "Coulomb friction made smooth at rest, as in games and multibody codes",
+        formula: "mu tanh(v/vt)",
+        parameters: &[
+            needed("mu", "-", "coefficient of fast sliding"),
+            needed("vt", "m/s", "speed below which it is viscous, > 0"),
+        ],
+        source: "Dupont 1990; Andersson, Soderberg, Bjorklund 2007",
+        local: local(tanh, tanh),
     },
     LawEntry {
         name: "rate-state",

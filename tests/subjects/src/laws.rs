@@ -3,9 +3,9 @@
 use crate::{Input, Verdict};
 use tribos_core::law::{
     AgeingLaw, Bristle, CoulombLaw, DryFriction, LocalLaw, LuGre, LuGreParameters, PlateauPowerLaw,
-    PlateauPowerLawParameters, PowerLaw, RateState, RateStateParameters, RestTime, Savkoor,
-    SavkoorParameters, SlipLaw, StateEvolution, StateVariable, StaticAgeing, StickSlip, Stribeck,
-    StribeckParameters,
+    PlateauPowerLawParameters, PowerLaw, RateState, RateStateParameters, RestTime, RisingLaw,
+    RisingLawParameters, Savkoor, SavkoorParameters, SlipLaw, StateEvolution, StateVariable,
+    StaticAgeing, StickSlip, Stribeck, StribeckParameters, TanhLaw,
 };
 use tribos_core::real::Real;
 
@@ -54,6 +54,9 @@ memoryless! {
         "PlateauPowerLaw::new(PlateauPowerLawParameters { alpha: -0.5, coefficient: b, plateau_speed: 1e-2, drop_speed: 1e-4, rest_share: 0.5 })";
     savkoor: "Savkoor", "savkoor:mu0=0.6,mu_m=1.2,vm=0.5", "law::savkoor",
         "Savkoor::new(SavkoorParameters { mu_base: 0.625, mu_max: 1.25, speed: b, narrowness: 0.5 })";
+    rising: "rising", "rising:mu_s=0.04,mu_f=0.12,vr=0.04", "law::rising",
+        "RisingLaw::new(RisingLawParameters { mu_rest: 0.0625, mu_fast: 0.125, speed: b })";
+    tanh: "tanh", "tanh:mu=0.8,vt=0.01", "law::tanh", "TanhLaw::new(0.75, b)";
 }
 
 /// −1 < α ≤ 4, or anything.
@@ -159,6 +162,23 @@ fn savkoor<R: Real>(input: &mut Input<'_>) -> Verdict {
     });
     let law = input.taken(law)?;
     local(input, "Savkoor", &law)
+}
+
+fn rising<R: Real>(input: &mut Input<'_>) -> Verdict {
+    let mu_rest = input.size::<R>();
+    let law = RisingLaw::new(RisingLawParameters {
+        mu_rest,
+        mu_fast: mu_rest + input.size(),
+        speed: input.positive(),
+    });
+    let law = input.taken(law)?;
+    local(input, "rising", &law)
+}
+
+fn tanh<R: Real>(input: &mut Input<'_>) -> Verdict {
+    let law = TanhLaw::new(input.size::<R>(), input.positive());
+    let law = input.taken(law)?;
+    local(input, "tanh", &law)
 }
 
 /// Ageing, rate and state, bristles.

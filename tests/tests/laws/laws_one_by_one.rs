@@ -2,8 +2,9 @@
 
 use tribos_core::law::{
     AgeingLaw, CoulombLaw, DryFriction, LawError, LocalLaw, LuGre, LuGreParameters,
-    PlateauPowerLaw, PlateauPowerLawParameters, RateState, RateStateParameters, RestTime, Savkoor,
-    SavkoorParameters, StaticAgeing, StickSlip, Stribeck, StribeckParameters,
+    PlateauPowerLaw, PlateauPowerLawParameters, RateState, RateStateParameters, RestTime,
+    RisingLaw, RisingLawParameters, Savkoor, SavkoorParameters, StaticAgeing, StickSlip, Stribeck,
+    StribeckParameters, TanhLaw,
 };
 use tribos_tests::laws::{differentiated, lugre, plateau, rate_state, stribeck};
 use tribos_tests::sweep::Lcg;
@@ -82,6 +83,43 @@ fn a_bell_without_width_or_height_is_refused() {
         low,
         "the largest coefficient must not be below the base coefficient"
     );
+}
+
+#[test]
+fn friction_that_rises_never_falls_and_is_refused_where_it_would() {
+    let with = |mu_rest, mu_fast, speed| {
+        RisingLaw::new(RisingLawParameters {
+            mu_rest,
+            mu_fast,
+            speed,
+        })
+    };
+    for bad in [0.0, -1.0, f64::INFINITY, f64::NAN] {
+        assert!(with(0.04, 0.12, bad).is_err() && TanhLaw::new(0.8, bad).is_err());
+    }
+    for bad in [-0.1, f64::INFINITY, f64::NAN] {
+        assert!(with(bad, 0.12, 0.04).is_err() && with(0.04, bad, 0.04).is_err());
+        assert!(TanhLaw::new(bad, 0.01).is_err());
+    }
+    let falling = with(0.12, 0.04, 0.04).unwrap_err().to_string();
+    let reason = "the coefficient of fast sliding must not be below the coefficient at rest";
+    assert_eq!(falling, reason);
+    // Level ends: Coulomb's law where nothing rises, and a rise from nothing keeps its digits.
+    let level = with(0.12, 0.12, f64::MIN_POSITIVE).unwrap();
+    assert_eq!([0.0, 1e-300, 1.0].map(|v| level.friction(v)), [0.12; 3]);
+    assert_eq!([0.0, 1.0].map(|v| level.slope(v)), [0.0; 2]);
+    let from_nothing = with(0.0, 1.0, 1.0).unwrap();
+    assert_eq!(from_nothing.friction(1e-20), 1e-20);
+    let laws: [&dyn LocalLaw<f64>; 2] = [&from_nothing, &TanhLaw::new(1.0, 1.0).unwrap()];
+    for law in laws {
+        let mut last = 0.0;
+        for step in 1..2000 {
+            let friction = law.friction(0.02 * f64::from(step));
+            assert!(friction >= last && friction <= 1.0);
+            last = friction;
+        }
+        assert_eq!(last, 1.0);
+    }
 }
 
 #[test]
