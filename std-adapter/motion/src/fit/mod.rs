@@ -48,6 +48,7 @@ mod search;
 mod standard_errors;
 pub mod support;
 mod unknowns;
+mod usage;
 
 pub use data::Measurements;
 #[doc(hidden)]
@@ -62,6 +63,7 @@ pub use parameter::FitParameter;
 pub use parameter::{Model, Range};
 #[doc(hidden)]
 pub use search::FitProgress;
+pub use usage::{FittedLaw, Usage, UsageError, UsageTarget};
 
 #[cfg(test)]
 #[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
