@@ -38,5 +38,6 @@ mod sweep_refusals;
 mod tip;
 mod trajectories;
 mod transcripts;
+mod usage;
 mod view;
 mod wrench;

@@ -5,6 +5,8 @@ mod plot;
 mod progress;
 mod support;
 mod table;
+#[expect(dead_code, reason = "the option that calls it follows")]
+mod usage;
 
 use crate::failure::Failure;
 use progress::Progress;

@@ -57,31 +57,6 @@ pub enum UsageTarget {
     Gazebo,
 }
 
-impl UsageTarget {
-    /// All targets, each with its name and what it gives.
-    pub const ALL: [(Self, &'static str, &'static str); 7] = [
-        (Self::Rust, "rust", "A program in Rust"),
-        (Self::C, "c", "A program in C"),
-        (Self::Python, "python", "Lines of Python"),
-        (Self::Scene, "scene", "A scene for `tribos run`"),
-        (
-            Self::MuJoCo,
-            "mujoco",
-            "Attributes of MuJoCo, and what they lose",
-        ),
-        (
-            Self::Newton,
-            "newton",
-            "Arguments of Newton, and what they lose",
-        ),
-        (
-            Self::Gazebo,
-            "gazebo",
-            "Elements of SDF, and what they lose",
-        ),
-    ];
-}
-
 /// What a target takes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Usage {
@@ -142,10 +117,9 @@ impl FittedLaw<'_> {
 
     /// What friction is measured in, in words of a comment.
     fn unit(&self) -> &'static str {
-        if self.is_per_load {
-            "friction per load"
-        } else {
-            "friction in N"
+        match self.is_per_load {
+            true => "friction per load",
+            false => "friction in N",
         }
     }
 }

@@ -7,11 +7,6 @@ use tribos_core::law::LuGreParameters;
 /// All lines.
 pub(super) fn lines(law: &FittedLaw<'_>, shape: &Shape) -> String {
     let unit = law.unit();
-    let of = |name: &str, values: &[(&str, f64)]| {
-        let given = values.iter().map(|(name, x)| format!(", {name}={x:?}"));
-        let given: String = given.collect();
-        local(&format!("tribos.Law(\"{name}\"{given})"), unit)
-    };
     match shape {
         Shape::Arctan { mu, vt } => function(
             &format!("{mu:?} * 2 / np.pi * np.arctan(speed / {vt:?})"),
@@ -30,11 +25,8 @@ pub(super) fn lines(law: &FittedLaw<'_>, shape: &Shape) -> String {
         _ => {
             let spec = shape.spec().unwrap_or_default();
             let (name, values) = spec.split_once(':').unwrap_or((&spec, ""));
-            let pairs = values.split(',').filter_map(|pair| {
-                let (name, x) = pair.split_once('=')?;
-                Some((name, x.parse().ok()?))
-            });
-            of(name, &pairs.collect::<Vec<_>>())
+            let made = format!("tribos.Law(\"{name}\", {})", values.replace(',', ", "));
+            local(law, &made)
         }
     }
 }
@@ -45,7 +37,12 @@ fn keyword(name: &str, value: String) -> String {
 }
 
 /// A law of the library that depends on the speed alone.
-fn local(made: &str, unit: &str) -> String {
+fn local(law: &FittedLaw<'_>, made: &str) -> String {
+    let unit = law.unit();
+    let load = match law.is_per_load {
+        true => "load=10.0)  # N",
+        false => "load=1.0)  # the law holds forces in N",
+    };
     format!(
         "import tribos\n\n\
          law = {made}\n\
@@ -53,7 +50,7 @@ fn local(made: &str, unit: &str) -> String {
          print(f\"{{speed:g}} m/s: {{law.friction(speed):.9f}}\")  # {unit}\n\n\
          # Sliding and spinning of a patch under it: force and torque at 0.1 m/s and 5 rad/s.\n\
          puck = tribos.Friction(tribos.disk(0.04), law=law)  # radius in m\n\
-         wrench = puck.wrench([0.1, 0.0, 5.0], load=1.0)  # N\n"
+         wrench = puck.wrench([0.1, 0.0, 5.0], {load}\n"
     )
 }
 
