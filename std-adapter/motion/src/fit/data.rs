@@ -74,19 +74,7 @@ impl Measurements {
         sigma: Option<Vec<f64>>,
     ) -> Result<Self, FitError> {
         same_length(times.len(), velocities.len())?;
-        refuse(
-            &times,
-            |t| !t.is_finite(),
-            |t| format!("the time must be finite, not {t}"),
-        )?;
-        if let Some(point) = (1..times.len()).find(|&i| times[i] <= times[i - 1]) {
-            let message = format!(
-                "times must rise: {} does not come after {}",
-                times[point],
-                times[point - 1]
-            );
-            return Err(FitError::Point { point, message });
-        }
+        rising(&times)?;
         refuse(
             &velocities,
             |v| !v.is_finite(),
@@ -175,7 +163,27 @@ impl Measurements {
     }
 }
 
-fn same_length(one: usize, other: usize) -> Result<(), FitError> {
+/// Error for the first time that is not finite or does not come after the one before it.
+pub(super) fn rising(times: &[f64]) -> Result<(), FitError> {
+    refuse(
+        times,
+        |t| !t.is_finite(),
+        |t| format!("the time must be finite, not {t}"),
+    )?;
+    match (1..times.len()).find(|&i| times[i] <= times[i - 1]) {
+        None => Ok(()),
+        Some(point) => Err(FitError::Point {
+            point,
+            message: format!(
+                "times must rise: {} does not come after {}",
+                times[point],
+                times[point - 1]
+            ),
+        }),
+    }
+}
+
+pub(super) fn same_length(one: usize, other: usize) -> Result<(), FitError> {
     if one == other {
         Ok(())
     } else {
@@ -184,7 +192,7 @@ fn same_length(one: usize, other: usize) -> Result<(), FitError> {
 }
 
 /// Error for the first invalid value.
-fn refuse(
+pub(super) fn refuse(
     values: &[f64],
     wrong: impl Fn(&f64) -> bool,
     message: impl Fn(&f64) -> String,

@@ -43,9 +43,11 @@ mod law;
 mod minimise;
 mod parameter;
 mod reduce;
+mod residual_tests;
 mod sample;
 mod search;
 mod standard_errors;
+pub mod strokes;
 pub mod support;
 mod unknowns;
 
@@ -60,6 +62,7 @@ pub use law::FitLaw;
 pub use parameter::FitParameter;
 #[doc(hidden)]
 pub use parameter::{Model, Range};
+pub use residual_tests::{ResidualTests, residual_tests};
 #[doc(hidden)]
 pub use search::FitProgress;
 
