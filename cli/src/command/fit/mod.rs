@@ -81,7 +81,7 @@ Examples:
   tribos fit --law power ice.csv
   tribos fit --law lugre pull.csv --out out/joint          # t,v,f: bristles too
   tribos fit --law rate-state steps.csv --fix v0=1e-6 --fix eta=0
-  tribos fit --strokes wear.csv --load 20 --out out/wear
+  tribos fit --strokes scenes/data/tribometer.csv --load 20 --out out/strokes
   tribos fit --support scenes/data/pushes.csv --patch box:0.2x0.1 --out out/pushes
 bearing.csv:
   v,f,sigma

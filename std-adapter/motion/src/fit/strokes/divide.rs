@@ -1,5 +1,6 @@
 //! Where strokes begin and end: reversals and rests, with hysteresis.
 
+use super::noise::noise_within;
 use std::ops::Range;
 
 /// Rows of one stroke, before anything is measured.
@@ -54,6 +55,49 @@ pub(super) fn divide(
     spans
 }
 
+/// Divides a signal, and again without the strokes that are shorter than a twentieth of the usual one: a drive that
+/// settles, or a sensor that creeps by a step, makes no stroke.
+///
+/// The usual extent is that of the strokes which, with all longer ones, cover half of the whole.
+pub(super) fn divide_into_strokes(
+    mut signal: Vec<f64>,
+    threshold: f64,
+    divides: impl Fn(Range<usize>) -> bool,
+    extent: impl Fn(&Range<usize>) -> f64,
+) -> Vec<Span> {
+    /// The smallest share of the usual extent.
+    const SHARE: f64 = 0.05;
+    /// Strokes that grow together may be longer: the usual one is found anew so many times.
+    const PASSES: usize = 3;
+    let mut spans = divide(&signal, threshold, &divides);
+    for _ in 0..PASSES {
+        let mut extents: Vec<f64> = spans.iter().map(|span| extent(&span.rows)).collect();
+        let shortest = SHARE * usual(&mut extents);
+        let short = spans.iter().filter(|span| extent(&span.rows) < shortest);
+        let short: Vec<Range<usize>> = short.map(|span| span.rows.clone()).collect();
+        if short.is_empty() {
+            break;
+        }
+        for rows in short {
+            signal.get_mut(rows).unwrap_or_default().fill(0.0);
+        }
+        spans = divide(&signal, threshold, &divides);
+    }
+    spans
+}
+
+/// The extent of strokes that, with all longer ones, cover half of the whole.
+fn usual(extents: &mut [f64]) -> f64 {
+    extents.sort_unstable_by(|a, b| b.total_cmp(a));
+    let half = 0.5 * extents.iter().sum::<f64>();
+    let mut covered = 0.0;
+    let found = extents.iter().find(|extent| {
+        covered += **extent;
+        covered >= half
+    });
+    found.copied().unwrap_or(0.0)
+}
+
 /// First to last firm row of each stroke, with its direction.
 fn firm_parts(
     signal: &[f64],
@@ -72,16 +116,31 @@ fn firm_parts(
     parts
 }
 
+/// The rests between firm rows of one direction.
+pub(super) fn gaps(
+    signal: &[f64],
+    threshold: f64,
+    is_rest: impl Fn(Range<usize>) -> bool,
+) -> Vec<Range<usize>> {
+    let firm = firm_parts(signal, threshold, is_rest);
+    let pairs = firm.windows(2).filter_map(|pair| match pair {
+        [(before, one), (after, other)] if one == other => Some(before.end..after.start),
+        _ => None,
+    });
+    pairs.collect()
+}
+
 /// Whether the gaps are the sticks of stick–slip and not rests between starts.
 ///
 /// A stick loads the contact all the time: through the middle half of it friction rises by half of what it
 /// rises in all. At a rest of the drive it is constant or relaxes, and rises when the next stroke begins. The gaps
 /// are sticks if in most of them the middle half has a quarter of the rise or more.
-pub(super) fn are_sticks(friction: &[f64], gaps: &[Range<usize>], noise: f64) -> bool {
+pub(super) fn are_sticks(friction: &[f64], gaps: &[Range<usize>]) -> bool {
     /// The smallest part of the rise in the middle half of a stick.
     const PART: f64 = 0.25;
     /// A rise that is no noise, in standard deviations.
     const CLEAR: f64 = 6.0;
+    let noise = noise_within(friction, gaps.iter().cloned());
     let loads = |gap: &&Range<usize>| {
         let quarter = gap.len() / 4;
         let at = |i: usize| friction.get(i).copied().unwrap_or(0.0);

@@ -34,12 +34,14 @@ impl<'a> Measured<'a> {
 
     /// The sign of the friction, all strokes, and the friction that resists, row by row.
     pub(super) fn all(&self, spans: &[Span]) -> (FrictionSign, Vec<Stroke>, Vec<f64>) {
-        let steady: Vec<Range<usize>> = spans.iter().map(|span| self.steady(&span.rows)).collect();
-        let (sign, factors) = self.factors(spans, &steady);
+        let middles: Vec<Range<usize>> = spans.iter().map(|span| self.steady(&span.rows)).collect();
+        let (sign, factors) = self.factors(spans, &middles);
         let mut resistance = vec![f64::NAN; self.record.friction.len()];
         let mut strokes = Vec::with_capacity(spans.len());
-        for (((span, steady), factor), number) in spans.iter().zip(steady).zip(factors).zip(1..) {
+        for ((span, factor), number) in spans.iter().zip(factors).zip(1..) {
             let resisting = self.fill(&mut resistance, span, factor);
+            let start = span.rows.start + rows_before_sliding(resisting);
+            let steady = self.steady(&(start..span.rows.end));
             let mut stroke = self.stroke(span, steady, resisting);
             stroke.number = number;
             stroke.static_peak = self.peak(span, &stroke.steady_rows, sign, factor);
@@ -181,6 +183,16 @@ impl<'a> Measured<'a> {
             time: self.time(first + i),
         })
     }
+}
+
+/// Rows before friction first reaches half of its median over the second half of the stroke: as long as the
+/// springs of the machine turn round.
+fn rows_before_sliding(resisting: &[f64]) -> usize {
+    const REACHED: f64 = 0.5;
+    let late = resisting.get(resisting.len() / 2..).unwrap_or_default();
+    let level = REACHED * median(late.to_vec());
+    let reached = resisting.iter().position(|f| *f >= level);
+    reached.unwrap_or(0)
 }
 
 /// Marks strokes that the record cuts off.

@@ -4,15 +4,17 @@
 //!
 //! - **Division.** A stroke begins and ends where the velocity passes a threshold, the larger of 5 % of the largest
 //!   speed and six standard deviations of its noise, with hysteresis. Reversals divide, and rests of the drive: five
-//!   rows or more below the threshold, unless friction rises all through them, which are the sticks of stick–slip.
+//!   rows or more below the threshold, unless friction rises all through them, which are the sticks of stick–slip. A
+//!   stroke shorter than a twentieth of the usual one is none.
 //!   Positions alone give the velocity by differences. Without either the sign of the friction divides; if that
 //!   does not change, the record is one stroke.
 //! - **Sign.** Friction that has the sign of the velocity, the opposite one, or none (a coefficient that is
 //!   positive in both directions) becomes positive where it resists.
 //! - **Static peak.** The largest median of three rows between the middle of the rest before the stroke and its steady
 //!   part: a single wild row is no peak. Noise raises it by up to three standard deviations of one row.
-//! - **Steady part.** The middle half of the way, or of the time where there is no way: mean and standard
-//!   deviation of the friction over its rows.
+//! - **Steady part.** The middle half of the way, or of the time where there is no way, from where friction first
+//!   reaches half of its median over the second half of the stroke: before, the machine's springs turn round. Mean and
+//!   standard deviation of the friction over its rows.
 //! - **Stick–slip.** A saw-tooth: friction falls by more than ten standard deviations of the noise and 2 % of the mean,
 //!   in at most half of the time of the rise before, which is straight to a fifth of the fall. A single fall is that of the
 //!   static peak.
@@ -43,8 +45,8 @@ mod stick_slip;
 mod summary;
 
 use super::FitError;
-use divide::{FEWEST_AT_REST, Span, are_sticks, divide};
-use noise::{largest, noise, velocities};
+use divide::{FEWEST_AT_REST, Span, are_sticks, divide_into_strokes, gaps};
+use noise::{largest, noise, noise_within, velocities};
 pub use quantities::StrokeQuantity;
 pub use record::StrokeRecord;
 pub use run_in::RunIn;
@@ -195,9 +197,9 @@ impl Strokes {
         if !(options.shortest_rest >= 0.0 && options.shortest_rest.is_finite()) {
             return Err(FitError::Whole("the shortest rest must be >= 0 s"));
         }
-        let noise = noise(&record.friction);
-        let (divided_by, sticks, spans) = divided(record, options, noise)?;
         let path = record.path();
+        let (divided_by, sticks, spans) = divided(record, path.as_deref(), options)?;
+        let noise = noise_within(&record.friction, spans.iter().map(|span| span.rows.clone()));
         let measured = measure::Measured::new(record, path.as_deref(), options, noise);
         let (friction_sign, strokes, resistance) = measured.all(&spans);
         let complete = || strokes.iter().filter(|stroke| !stroke.is_cut_off);
@@ -224,21 +226,29 @@ impl Strokes {
 /// What divides the record, whether rests of the velocity are sticks, and the strokes.
 fn divided(
     record: &StrokeRecord,
+    path: Option<&[f64]>,
     options: &StrokeOptions,
-    noise_of_friction: f64,
 ) -> Result<(DividedBy, bool, Vec<Span>), FitError> {
-    let friction = &record.friction;
-    let (by, signal) = match (&record.velocities, &record.positions) {
-        (Some(velocities), _) => (DividedBy::Velocity, velocities.clone()),
+    let time = |i: usize| record.times.get(i).copied().unwrap_or(0.0);
+    let (by, signal, share) = match (&record.velocities, &record.positions) {
+        (Some(velocities), _) => (DividedBy::Velocity, velocities.clone(), SPEED_SHARE),
         (None, Some(positions)) => {
             let found = velocities(&record.times, positions, SPEED_SHARE);
-            (DividedBy::Position, found)
+            (DividedBy::Position, found, SPEED_SHARE)
         }
-        (None, None) => (DividedBy::FrictionSign, friction.clone()),
+        (None, None) => (
+            DividedBy::FrictionSign,
+            record.friction.clone(),
+            FRICTION_SHARE,
+        ),
     };
-    let share = match by {
-        DividedBy::FrictionSign => FRICTION_SHARE,
-        _ => SPEED_SHARE,
+    // Way of a stroke, or its time where there is no way.
+    let extent = |rows: &Range<usize>| match path {
+        Some(path) => {
+            let at = |i: usize| path.get(i).copied().unwrap_or(0.0);
+            (at(rows.end - 1) - at(rows.start)).abs()
+        }
+        None => time(rows.end - 1) - time(rows.start),
     };
     let most = largest(&signal);
     let threshold = (share * most)
@@ -246,11 +256,11 @@ fn divided(
         .min(MOST_SHARE * most);
     if by == DividedBy::FrictionSign {
         let spans = match threshold > 0.0 {
-            true => divide(&signal, threshold, |_| false),
+            true => divide_into_strokes(signal, threshold, |_| false, extent),
             false => Vec::new(),
         };
         return Ok(match spans.len() {
-            0 | 1 => (DividedBy::Nothing, false, vec![whole(friction)]),
+            0 | 1 => (DividedBy::Nothing, false, vec![whole(&record.friction)]),
             _ => (by, false, spans),
         });
     }
@@ -260,24 +270,13 @@ fn divided(
              strokes are divided by the sign of the friction",
         ));
     }
-    let time = |i: usize| record.times.get(i).copied().unwrap_or(0.0);
-    let rests = |gap: &Range<usize>| {
+    let is_rest = |gap: Range<usize>| {
         gap.len() >= FEWEST_AT_REST && time(gap.end - 1) - time(gap.start) >= options.shortest_rest
     };
-    // Long gaps between firm rows of one direction: rests of the drive, or sticks.
-    let gaps = std::cell::RefCell::new(Vec::new());
-    let spans = divide(&signal, threshold, |gap| {
-        let is_rest = rests(&gap);
-        if is_rest {
-            gaps.borrow_mut().push(gap);
-        }
-        is_rest
-    });
-    let sticks = are_sticks(friction, &gaps.into_inner(), noise_of_friction);
-    Ok(match sticks {
-        true => (by, true, divide(&signal, threshold, |_| false)),
-        false => (by, false, spans),
-    })
+    let sticks = are_sticks(&record.friction, &gaps(&signal, threshold, is_rest));
+    let divides = |gap: Range<usize>| !sticks && is_rest(gap);
+    let spans = divide_into_strokes(signal, threshold, divides, extent);
+    Ok((by, sticks, spans))
 }
 
 /// The whole record as one stroke.

@@ -1,5 +1,7 @@
 //! The noise of a record from its differences, and filters that spare edges.
 
+use std::ops::Range;
+
 /// Standard deviations of a normal distribution in its median absolute deviation.
 pub(in crate::fit) const SIGMAS_PER_MEDIAN: f64 = 1.482_602_218_505_602;
 /// Second and fourth differences of white noise have this many times its variance: 1 + 4 + 1 and
@@ -15,25 +17,33 @@ const ROUNDING: f64 = 12.0;
 /// smooth signal vanishes in the fourth, and the jumps of a saw-tooth spoil fewer of the second. It is no
 /// smaller than the rounding to whole steps, where the smallest change between rows is one step.
 pub(super) fn noise(signal: &[f64]) -> f64 {
-    let second = signal.windows(3).map(|w| match w {
-        [a, b, c] => (a - 2.0 * b + c).abs(),
-        _ => 0.0,
-    });
-    let fourth = signal.windows(5).map(|w| match w {
-        [a, b, c, d, e] => ((a + e) - 4.0 * (b + d) + 6.0 * c).abs(),
-        _ => 0.0,
-    });
-    let second = median(second.collect()) * SIGMAS_PER_MEDIAN / SECOND.sqrt();
-    let fourth = median(fourth.collect()) * SIGMAS_PER_MEDIAN / FOURTH.sqrt();
-    let changes = signal.windows(2).map(|w| match w {
-        [a, b] => (b - a).abs(),
-        _ => 0.0,
-    });
-    let step = changes.filter(|x| *x > 0.0).fold(f64::INFINITY, f64::min);
-    let rounding = if step.is_finite() {
-        step / ROUNDING.sqrt()
-    } else {
-        0.0
+    noise_within(signal, std::iter::once(0..signal.len()))
+}
+
+/// The same within some ranges of rows alone: a sensor is quieter at rest.
+pub(super) fn noise_within(signal: &[f64], ranges: impl Iterator<Item = Range<usize>>) -> f64 {
+    let (mut second, mut fourth) = (Vec::new(), Vec::new());
+    let mut step = f64::INFINITY;
+    for rows in ranges.filter_map(|rows| signal.get(rows)) {
+        second.extend(rows.windows(3).filter_map(|w| match w {
+            [a, b, c] => Some((a - 2.0 * b + c).abs()),
+            _ => None,
+        }));
+        fourth.extend(rows.windows(5).filter_map(|w| match w {
+            [a, b, c, d, e] => Some(((a + e) - 4.0 * (b + d) + 6.0 * c).abs()),
+            _ => None,
+        }));
+        let changes = rows.windows(2).filter_map(|w| match w {
+            [a, b] if a != b => Some((b - a).abs()),
+            _ => None,
+        });
+        step = changes.fold(step, f64::min);
+    }
+    let second = median(second) * SIGMAS_PER_MEDIAN / SECOND.sqrt();
+    let fourth = median(fourth) * SIGMAS_PER_MEDIAN / FOURTH.sqrt();
+    let rounding = match step.is_finite() {
+        true => step / ROUNDING.sqrt(),
+        false => 0.0,
     };
     second.min(fourth).max(rounding)
 }

@@ -8,8 +8,8 @@ use crate::fit::residual_tests::{correlation_time, drift, error_factor};
 /// (the marginal standard error rule, White, *Simulation* 69, 1997, 323): the d ≤ ⅔ n with the least
 /// Σ (mᵢ − m̄)²/(n − d)² over the strokes after d. They are a run-in only if they differ from
 /// the rest beyond its scatter: their sum of squares, in the variance σ² of the rest, exceeds
-/// d + 6√(2d), or their mean lies 4 standard errors away. The offset of the two directions is taken
-/// off before.
+/// d + 6√(2d), or their mean lies 4 standard errors away. Differences below a thousandth of the friction do not count. The
+/// offset of the two directions is taken off before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RunIn {
     /// Fewer than eight complete strokes: not decided, and all strokes are used.
@@ -51,8 +51,8 @@ const SQUARES: f64 = 6.0;
 /// Distance of the means, in standard errors, that is a run-in, and of a slope that is a drift.
 const FAR: f64 = 4.0;
 const DRIFTS: f64 = 3.0;
-/// Differences of means below this share of them are those of their sums.
-const ROUNDING: f64 = 1e-9;
+/// Share of the friction below which a difference of means is of no interest, however small their scatter.
+const RESOLUTION: f64 = 1e-3;
 
 /// Decides from the mean friction of each stroke, freed of the offset of the directions; `numbers` are
 /// those of the strokes.
@@ -70,7 +70,9 @@ pub(super) fn run_in(means: &[f64], numbers: &[usize]) -> RunIn {
         _ => 0,
     };
     let (drift, z) = drift(rest);
-    if z.abs() > DRIFTS || (differs && cut as f64 > SETTLED_SHARE * count as f64) {
+    let level = rest.last().map_or(0.0, |mean| mean.abs());
+    let is_drift = z.abs() > DRIFTS && drift.abs() * rest.len() as f64 > RESOLUTION * level;
+    if is_drift || (differs && cut as f64 > SETTLED_SHARE * count as f64) {
         RunIn::NotSettled { after, drift }
     } else if differs {
         RunIn::Settled { after }
@@ -112,8 +114,8 @@ fn differs(left_out: &[f64], rest: &[f64]) -> bool {
     };
     let factor = error_factor(correlation_time(rest));
     let variance = squares(rest) / (count - 1.0) * factor * factor;
-    // Means that differ by the rounding of their sums do not differ.
-    let variance = variance + (ROUNDING * level) * (ROUNDING * level);
+    // Means that differ by less than a thousandth are the same.
+    let variance = variance + (RESOLUTION * level) * (RESOLUTION * level);
     let d = left_out.len() as f64;
     let excess = squares(left_out) - variance * (d + SQUARES * (2.0 * d).sqrt());
     let shift = left_out.iter().map(|m| m - level).sum::<f64>() / d;
