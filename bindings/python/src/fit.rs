@@ -30,7 +30,8 @@ fn data((velocities, friction, times, sigma): Columns) -> Result<Measurements, F
     })
 }
 
-fn told(error: FitError) -> PyErr {
+/// A refusal of measurements, with the point that it is about.
+pub fn told(error: FitError) -> PyErr {
     match error {
         FitError::Point { point, message } => refused(format!("point {point}: {message}")),
         FitError::Push { push, message } => refused(format!("push {push}: {message}")),

@@ -25,6 +25,7 @@ mod run;
 mod scene;
 mod slide;
 mod state;
+mod strokes;
 mod surface;
 mod threads;
 mod vectors;
@@ -78,6 +79,8 @@ mod _native {
     use slide::Slider;
     #[pymodule_export]
     use state::{LuGre, RateState};
+    #[pymodule_export]
+    use strokes::strokes_of;
     #[pymodule_export]
     use surface::LimitSurface;
     #[pymodule_export]

@@ -274,6 +274,10 @@ def of_contacts(add: Callable[..., None]) -> None:
         lambda x: tribos.fit(x, {"v": [1.0, 2.0, 3.0], "f": [1.0, 1.0, 1.0]}),
         ["", "no", None],
     )
+    add("strokes", tribos.strokes, [*columns, {"t": [0.0, 0.0], "f": [1.0, 1.0]}])
+    record = {"t": [0.0, 1.0, 2.0], "v": [1.0, 1.0, 1.0], "f": [1.0, 1.0, 1.0]}
+    add("steady part", lambda x: tribos.strokes(record, middle=x), [0.0, 1.1, NAN, "x", None])
+    add("rest", lambda x: tribos.strokes(record, shortest_rest=x), [-1.0, NAN, INF, "x", None])
     rows = [None, [], np.zeros((3, 5)), np.zeros((10, 6)), np.full((10, 6), NAN), "none.csv"]
     add("pushes of a fit", tribos.fit_support, rows)
 

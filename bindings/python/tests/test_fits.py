@@ -278,3 +278,45 @@ def test_a_wrong_line_of_a_file_is_named(tmp_path: Path) -> None:
     path.write_text("")
     with pytest.raises(ValueError, match="is empty"):
         tribos.fit("power", path)
+
+
+def reciprocating(strokes: int, rows: int = 200) -> dict[str, Any]:
+    """Strokes of 0.3 with an offset of 0.02, to and fro."""
+    sign = np.repeat(np.where(np.arange(strokes) % 2 == 0, 1.0, -1.0), rows)
+    return {"t": 0.01 * np.arange(sign.size), "v": 0.01 * sign, "f": 0.3 * sign + 0.02}
+
+
+def test_strokes_have_their_numbers_whatever_tells_of_the_motion() -> None:
+    data = reciprocating(12)
+    found = tribos.strokes(data)
+    assert len(found) == 12 and found.divided_by == "velocity" and found.run_in == 0
+    assert found.summary["mean"] == pytest.approx(0.3, rel=1e-12)
+    assert found.summary["offset"] == pytest.approx(0.02, rel=1e-9)
+    np.testing.assert_array_equal(found.rows, 200 * np.column_stack((range(12), range(1, 13))))
+    np.testing.assert_allclose(found.mean, 0.3 + 0.02 * found.direction, rtol=1e-12)
+    np.testing.assert_allclose(found.resistance[:200], 0.32)
+    assert np.isnan(found.peak[0]) and not np.isnan(found.peak[1:]).any()
+    assert "12 strokes, divided by the velocity" in repr(found)
+    position = np.cumsum(data["v"]) * 0.01
+    moved = tribos.strokes({"t": data["t"], "x": position, "f": data["f"]})
+    assert len(moved) == 12 and moved.divided_by == "position"
+    signs = tribos.strokes({"t": data["t"], "f": data["f"]})
+    assert len(signs) == 12 and signs.divided_by == "sign of the friction" and signs.notes
+    load = np.full(data["t"].size, 5.0)
+    forces = {**data, "f": 5.0 * data["f"], "load": load}
+    assert tribos.strokes(forces).summary == pytest.approx(found.summary, nan_ok=True)
+    with pytest.raises(ValueError, match="both given"):
+        tribos.strokes(forces, load=5.0)
+
+
+def test_strokes_are_those_of_the_command() -> None:
+    file = DATA / "tribometer.csv"
+    line = [sys.executable, "-c", COMMAND, "fit", "--strokes", str(file), "--load", "20"]
+    told = subprocess.run([*line, "--format", "json"], capture_output=True, text=True, check=True)
+    wanted = json.loads(told.stdout)
+    found = tribos.strokes(file, load=20.0)
+    for name, value in wanted["summary"].items():
+        assert found.summary[name] == value
+    assert found.run_in == wanted["run_in"]["after"] and list(found.notes) == wanted["notes"]
+    means = [stroke["mean"] for stroke in wanted["strokes"]]
+    np.testing.assert_array_equal(found.mean, means)

@@ -1,6 +1,6 @@
 //! `tribos fit`: parameters with their errors, files that go together, refusals with their line.
 
-use crate::program::{Error, Outcome, assert_has, succeed};
+use crate::program::{Error, Outcome, assert_has, succeed, tribos};
 use std::path::Path;
 
 fn data(name: &str) -> String {
@@ -148,6 +148,78 @@ fn forces_of_any_unit_are_fitted() -> Outcome {
             (alpha - 0.5).abs() < 0.02 && error < 0.02,
             "{alpha} ± {error}"
         );
+    }
+    Ok(())
+}
+
+#[test]
+fn a_record_is_taken_apart_stroke_by_stroke() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let line = format!("--strokes {} --load 20 --out out", data("tribometer.csv"));
+    let told = fit(folder.path(), &line)?;
+    assert_has(
+        &told,
+        &[
+            "strokes       30",
+            "…",
+            "run-in        settled after stroke",
+            "stick-slip",
+        ],
+    );
+    // The first and the last ten of them, a line between, the header: 22 lines.
+    assert_eq!(
+        told.lines().filter(|line| line.starts_with("  ")).count(),
+        22
+    );
+    let out = folder.path().join("out");
+    let table = std::fs::read_to_string(out.join("strokes.csv"))?;
+    assert!(table.starts_with("number,start,duration,direction,length,"));
+    assert_eq!(table.lines().count(), 31);
+    for plot in ["strokes.svg", "strokes.png"] {
+        assert!(out.join(plot).metadata()?.len() > 1000);
+    }
+    let line = format!(
+        "--strokes {} --load 20 --format json",
+        data("tribometer.csv")
+    );
+    let all: serde_json::Value = serde_json::from_str(&fit(folder.path(), &line)?)?;
+    let number = |name: &str| all["summary"][name].as_f64().ok_or("no number");
+    // Made with 0.2, an offset of 0.005 and slips of 0.04 every 0.24 s.
+    for (name, truth, within) in [
+        ("mean", 0.2, 0.004),
+        ("offset", 0.005, 0.002),
+        ("drop", 0.04, 0.002),
+        ("period", 0.24, 0.003),
+    ] {
+        let found = number(name)?;
+        assert!((found - truth).abs() < within, "{name}: {found}");
+    }
+    assert_eq!(all["strokes"].as_array().map(Vec::len), Some(30));
+    Ok(())
+}
+
+#[test]
+fn strokes_that_cannot_be_found_are_refused_with_a_reason() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let write = |text: &str| std::fs::write(folder.path().join("r.csv"), text);
+    for (text, options, reason) in [
+        ("v,f\n1,2\n", "", "column `t` is missing"),
+        ("t,v,f\n0,0,1\n1,0,1\n2,0,1\n", "", "nothing moves"),
+        ("t,f\n0,1\n0,1\n", "", "r.csv:3: times must rise"),
+        (
+            "t,f,load\n0,1,2\n1,1,0\n",
+            "",
+            "r.csv:3: the load must be > 0",
+        ),
+        ("t,f,load\n0,1,2\n1,1,2\n", "--load 2", "both given"),
+        ("t,f\n0,1\n1,1\n", "--middle 1.5", "at most 1"),
+        ("t,f\n0,1\n1,1\n", "--law power", "cannot be used with"),
+    ] {
+        write(text)?;
+        let line = format!("fit --strokes r.csv {options}");
+        let (code, _, told) = tribos(folder.path(), line)?;
+        assert_eq!(code, Some(2), "{text:?}");
+        assert!(told.contains(reason), "{text:?}: {told}");
     }
     Ok(())
 }

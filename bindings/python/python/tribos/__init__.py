@@ -50,6 +50,7 @@ from tribos._scene import Scene, scene
 from tribos._slide import Motion, Rest, slide, slide_path
 from tribos._state import LuGre, RateState
 from tribos._states import Frame, Frames, State
+from tribos._strokes import Strokes, strokes
 from tribos._surface import LimitSurface
 from tribos._sweep import cases, run_case, sweep
 from tribos._threads import num_threads, set_num_threads
@@ -99,6 +100,7 @@ __all__ = [
     "Spheres",
     "State",
     "Step",
+    "Strokes",
     "SupportFit",
     "TorqueLimits",
     "any_pressure",
@@ -125,6 +127,7 @@ __all__ = [
     "slide_jacobian",
     "slide_path",
     "softened",
+    "strokes",
     "sweep",
 ]
 __all__ += _patches.__all__

@@ -55,6 +55,7 @@ __all__ = [
     "scene_of_settings",
     "scene_of_text",
     "set_num_threads",
+    "strokes_of",
     "vocabularies",
 ]
 __version__: str
@@ -85,6 +86,13 @@ def motion_cone(
     surface: LimitSurface, force_limit: ArrayLike, contacts: ArrayLike
 ) -> NDArray[Any]: ...
 def nearest_side(loops: list[list[list[float]]], at: list[float]) -> list[list[float]]: ...
+def strokes_of(
+    columns: tuple[
+        list[float], list[float], list[float] | None, list[float] | None, list[float] | None
+    ],
+    middle: float,
+    shortest_rest: float,
+) -> dict[str, Any]: ...
 def num_threads() -> int: ...
 def predict_law(
     law: str, velocities: list[float], times: list[float] | None, values: list[float]

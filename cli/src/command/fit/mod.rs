@@ -3,6 +3,8 @@
 mod output;
 mod plot;
 mod progress;
+mod strokes;
+mod strokes_picture;
 mod support;
 mod table;
 #[expect(dead_code, reason = "the option that calls it follows")]
@@ -34,6 +36,10 @@ use tribos_report::image;
 /// counts, and fx,fy,torque [N, N m], the wrench on the body, in the frame of the body. The loads of points
 /// come from non-negative least squares; the motions that they foretell are compared with the measured
 /// ones, beside those of an ellipsoid and a convex quartic fitted to the same pushes.
+///
+/// --strokes fits nothing: it takes the record of a reciprocating tribometer or of a start-stop test apart, stroke
+/// by stroke, from the columns t,f and v or x, and perhaps load: mean friction, static peak,
+/// run-in, stick-slip and the offset of the directions.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
@@ -42,16 +48,18 @@ pub struct Arguments {
     #[arg(required_unless_present = "support")]
     data: Option<PathBuf>,
     /// The law.
-    #[arg(long, required_unless_present = "support", value_parser = super::number::named::<FitLaw, 5>(
+    #[arg(long, required_unless_present_any = ["support", "strokes"], value_parser = super::number::named::<FitLaw, 5>(
         FitLaw::ALL.map(|(_, name, help)| (name, help)),
     ))]
     law: Option<FitLaw>,
     /// Measured pushes, a CSV file with the columns dx,dy,dtheta,fx,fy,torque (`-` for standard input).
-    #[arg(long, value_name = "PUSHES.csv", conflicts_with_all = ["data", "law", "load", "fixed", "starts"])]
+    #[arg(long, value_name = "PUSHES.csv", conflicts_with_all = ["data", "law", "load", "fixed", "starts", "strokes"])]
     support: Option<PathBuf>,
     /// The support under the pushed body, if it is known: box:AxB, polygon:FILE, bar:L, mesh:FILE or points:FILE (weights are loads), in the frame of the pushes.
     #[arg(long, requires = "support")]
     patch: Option<Patch>,
+    #[command(flatten)]
+    strokes: strokes::Options,
     /// Load [N] at which forces were measured; friction is divided by it.
     #[arg(long, value_name = "N", value_parser = super::number::positive)]
     load: Option<f64>,
@@ -62,7 +70,7 @@ pub struct Arguments {
     #[arg(long, default_value = "16", value_parser = starts)]
     starts: NonZero<usize>,
     /// Folder for fit.toml, covariance.csv, residuals.csv, fit.svg and fit.png, or for pressure.csv,
-    /// pressure.svg, pressure.png and summary.json, created if missing; files of an earlier command in it are removed first.
+    /// pressure.svg, pressure.png and summary.json, or for strokes.csv, strokes.svg, strokes.png and summary.json, created if missing; files of an earlier command in it are removed first.
     /// The folder of a powder, a tip, a sweep or a report is refused.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -75,6 +83,7 @@ Examples:
   tribos fit --law power ice.csv
   tribos fit --law lugre pull.csv --out out/joint          # t,v,f: bristles too
   tribos fit --law rate-state steps.csv --fix v0=1e-6 --fix eta=0
+  tribos fit --strokes scenes/data/tribometer.csv --load 20 --out out/strokes
   tribos fit --support scenes/data/pushes.csv --patch box:0.2x0.1 --out out/pushes
 bearing.csv:
   v,f,sigma
@@ -107,6 +116,9 @@ impl Arguments {
     pub fn execute(self) -> Result<(), Failure> {
         if let Some(pushes) = &self.support {
             return support::execute(pushes, self.patch.as_ref(), self.out.as_deref());
+        }
+        if let (true, Some(data)) = (self.strokes.strokes, &self.data) {
+            return strokes::execute(data, self.load, &self.strokes, self.out.as_deref());
         }
         let (Some(data), Some(law)) = (&self.data, self.law) else {
             return Err(Failure::input("give measurements and --law, or --support"));

@@ -84,7 +84,8 @@ impl Table {
     }
 }
 
-fn refusal(path: &Path, lines: &[u64], error: FitError) -> Failure {
+/// A refusal of measurements with the file, and the line where it is about one.
+pub fn refusal(path: &Path, lines: &[u64], error: FitError) -> Failure {
     let name = path.display();
     match error {
         FitError::Point { point, message } => {

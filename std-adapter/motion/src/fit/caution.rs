@@ -82,7 +82,10 @@ impl fmt::Display for Caution {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::LargeResiduals { .. } => {
-                write!(f, "residuals are larger than sigma allows: the law or sigma is wrong")
+                write!(
+                    f,
+                    "residuals are larger than sigma allows: the law or sigma is wrong"
+                )
             }
             Self::FewAgree { agreeing, starts } => write!(
                 f,
@@ -93,7 +96,10 @@ impl fmt::Display for Caution {
                 write!(f, "the search did not converge: standard errors are rough")
             }
             Self::Undetermined { names } => match names.as_slice() {
-                [name] => write!(f, "the data do not determine {name}; give --fix {name}=VALUE"),
+                [name] => write!(
+                    f,
+                    "the data do not determine {name}; give --fix {name}=VALUE"
+                ),
                 names => write!(
                     f,
                     "the data determine only a combination of {}; give --fix NAME=VALUE for one",
@@ -105,7 +111,10 @@ impl fmt::Display for Caution {
                 "{name} is at the end of its range, {value:.4e}: the data ask for no more of it, or for another \
                  law"
             ),
-            Self::Entangled { names: [a, b], correlation } => write!(
+            Self::Entangled {
+                names: [a, b],
+                correlation,
+            } => write!(
                 f,
                 "correlation of {a} and {b} is {correlation:.4}: the data hardly tell these apart; fix one"
             ),
@@ -123,12 +132,20 @@ impl fmt::Display for Caution {
                 f,
                 "{count} residuals are more than five deviations away: look at residuals.csv"
             ),
-            Self::Steps { name, change, errors } => write!(
+            Self::Steps {
+                name,
+                change,
+                errors,
+            } => write!(
                 f,
                 "more steps between the points would still change {name} by {change:.2e} ({errors:.1} standard \
                  errors): sample more often"
             ),
-            Self::Course { name, change, errors } => write!(
+            Self::Course {
+                name,
+                change,
+                errors,
+            } => write!(
                 f,
                 "the points are too far apart to tell the velocity between them: a smooth course in place of a \
                  straight one changes {name} by {change:.2e} ({errors:.1} standard errors); sample more often"

@@ -58,7 +58,9 @@ impl Measurements {
     ) -> Result<Self, FitError> {
         let wrong = |v: &f64| *v == 0.0 || !v.is_finite();
         refuse(&speeds, wrong, |v| {
-            format!("the velocity of steady sliding must be finite and not 0, not {v}; leave rest out")
+            format!(
+                "the velocity of steady sliding must be finite and not 0, not {v}; leave rest out"
+            )
         })?;
         Self::checked(Motion::Steady { speeds }, friction, sigma)
     }
@@ -74,19 +76,7 @@ impl Measurements {
         sigma: Option<Vec<f64>>,
     ) -> Result<Self, FitError> {
         same_length(times.len(), velocities.len())?;
-        refuse(
-            &times,
-            |t| !t.is_finite(),
-            |t| format!("the time must be finite, not {t}"),
-        )?;
-        if let Some(point) = (1..times.len()).find(|&i| times[i] <= times[i - 1]) {
-            let message = format!(
-                "times must rise: {} does not come after {}",
-                times[point],
-                times[point - 1]
-            );
-            return Err(FitError::Point { point, message });
-        }
+        rising(&times)?;
         refuse(
             &velocities,
             |v| !v.is_finite(),
@@ -265,7 +255,27 @@ fn resists(velocities: &[f64], friction: &[f64]) -> Result<(), FitError> {
     ))
 }
 
-fn same_length(one: usize, other: usize) -> Result<(), FitError> {
+/// Error for the first time that is not finite or does not come after the one before it.
+pub(super) fn rising(times: &[f64]) -> Result<(), FitError> {
+    refuse(
+        times,
+        |t| !t.is_finite(),
+        |t| format!("the time must be finite, not {t}"),
+    )?;
+    match (1..times.len()).find(|&i| times[i] <= times[i - 1]) {
+        None => Ok(()),
+        Some(point) => Err(FitError::Point {
+            point,
+            message: format!(
+                "times must rise: {} does not come after {}",
+                times[point],
+                times[point - 1]
+            ),
+        }),
+    }
+}
+
+pub(super) fn same_length(one: usize, other: usize) -> Result<(), FitError> {
     if one == other {
         Ok(())
     } else {
@@ -274,7 +284,7 @@ fn same_length(one: usize, other: usize) -> Result<(), FitError> {
 }
 
 /// Error for the first invalid value.
-fn refuse(
+pub(super) fn refuse(
     values: &[f64],
     wrong: impl Fn(&f64) -> bool,
     message: impl Fn(&f64) -> String,

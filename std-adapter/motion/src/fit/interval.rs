@@ -86,7 +86,9 @@ impl Profile<'_> {
             (0..sides.len()).map(end).collect()
         } else {
             let ends = in_order(sides.len(), threads, end);
-            ends.into_iter().map(|end| end.unwrap_or(Ok(f64::NAN))).collect()
+            ends.into_iter()
+                .map(|end| end.unwrap_or(Ok(f64::NAN)))
+                .collect()
         };
         for (&(parameter, side), end) in sides.iter().zip(ends) {
             match end {
@@ -118,13 +120,17 @@ impl Profile<'_> {
 
     /// A fixed parameter has its value; the data tell nothing of others.
     fn without_data(&self, known: &[Uncertainty]) -> Vec<[f64; 2]> {
-        let intervals = self.values.iter().zip(known).map(|(value, known)| match known {
-            Uncertainty::Fixed => [*value; 2],
-            Uncertainty::AtBound | Uncertainty::Undetermined(_) => {
-                [f64::NEG_INFINITY, f64::INFINITY]
-            }
-            Uncertainty::StandardError(_) => [f64::NAN; 2],
-        });
+        let intervals = self
+            .values
+            .iter()
+            .zip(known)
+            .map(|(value, known)| match known {
+                Uncertainty::Fixed => [*value; 2],
+                Uncertainty::AtBound | Uncertainty::Undetermined(_) => {
+                    [f64::NEG_INFINITY, f64::INFINITY]
+                }
+                Uncertainty::StandardError(_) => [f64::NAN; 2],
+            });
         intervals.collect()
     }
 
@@ -135,9 +141,7 @@ impl Profile<'_> {
         let at = range.coordinate(value);
         let [low, high] = self.ends_of_range(parameter, range.bounds());
         let mut reach = match known {
-            Uncertainty::StandardError(error) => {
-                self.quantile * error / range.derivative(value)
-            }
+            Uncertainty::StandardError(error) => self.quantile * error / range.derivative(value),
             _ => STEP * at.abs().max(self.natural(parameter)),
         };
         let mut others = self.values.to_vec();
@@ -221,8 +225,18 @@ mod tests {
     #[test]
     fn quantiles_are_those_of_tables() {
         // Abramowitz and Stegun, table 26.10.
-        for (freedoms, wanted) in [(1.0, 12.706), (2.0, 4.303), (3.0, 3.182), (5.0, 2.571), (10.0, 2.228), (30.0, 2.042)] {
-            assert!((student(freedoms) - wanted).abs() < 2e-3 * wanted, "{freedoms}");
+        for (freedoms, wanted) in [
+            (1.0, 12.706),
+            (2.0, 4.303),
+            (3.0, 3.182),
+            (5.0, 2.571),
+            (10.0, 2.228),
+            (30.0, 2.042),
+        ] {
+            assert!(
+                (student(freedoms) - wanted).abs() < 2e-3 * wanted,
+                "{freedoms}"
+            );
         }
     }
 }

@@ -37,7 +37,9 @@ fn better(unknowns: &Unknowns<'_>, target: &WeightedData, start: &[f64]) -> Opti
         let shifted = |change: f64| {
             let mut moved = values.clone();
             moved[j] += change;
-            target.residuals_of(model, &moved).map(|there| (change, there))
+            target
+                .residuals_of(model, &moved)
+                .map(|there| (change, there))
         };
         let (change, there) = shifted(size).or_else(|| shifted(-size))?;
         for i in 0..here.len() {

@@ -29,7 +29,11 @@ impl Linearised {
         let free = free(q, &problem.bounds, &gradient(&jacobian, &residuals));
         Some(Self {
             free,
-            sizes: problem.lengths.iter().map(|length| length.least()).collect(),
+            sizes: problem
+                .lengths
+                .iter()
+                .map(|length| length.least())
+                .collect(),
             size: problem.floor.sqrt() / f64::EPSILON,
             residuals,
             jacobian,

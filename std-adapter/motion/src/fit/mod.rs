@@ -54,6 +54,7 @@ mod result;
 mod sample;
 mod search;
 mod standard_errors;
+pub mod strokes;
 pub mod support;
 mod unknowns;
 mod usage;
@@ -71,6 +72,7 @@ pub use law::FitLaw;
 pub use parameter::FitParameter;
 #[doc(hidden)]
 pub use parameter::{Between, Course, Model, Range};
+pub use residual_tests::{ResidualTests, residual_tests};
 #[doc(hidden)]
 pub use search::FitProgress;
 pub use usage::{FittedLaw, Usage, UsageError, UsageTarget};

@@ -137,14 +137,20 @@ impl<'a> Paths<'a, '_> {
     /// The largest change, in standard errors, of a parameter on another path, if it counts.
     fn shift(&self, found: &Refined<'a>, path: Between) -> Option<Shift> {
         let other = self.model.along(path)?;
-        let here = self.unknowns.with(found.model.as_deref().unwrap_or(self.model));
+        let here = self
+            .unknowns
+            .with(found.model.as_deref().unwrap_or(self.model));
         let there = self.unknowns.with(other.as_ref());
         let q = &found.minima.first()?.0.q;
         let moved = self.target.residuals(&there, q)?;
         let residuals = |q: &[f64]| self.target.residuals(&here, q);
         let problem = problem(&residuals, &here, self.target, self.lengths);
         let at = Linearised::at(&problem, q, Order::Second)?;
-        let change: Vec<f64> = moved.iter().zip(&at.residuals).map(|(a, b)| a - b).collect();
+        let change: Vec<f64> = moved
+            .iter()
+            .zip(&at.residuals)
+            .map(|(a, b)| a - b)
+            .collect();
         let steps = at.response(&change);
         let values = here.values(q);
         let slopes = here.slopes(&values);

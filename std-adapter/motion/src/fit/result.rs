@@ -28,7 +28,11 @@ pub(super) enum Certified {
 
 impl Certified {
     /// The best of the refined minima with its certainty.
-    pub fn of(paths: &Paths<'_, '_>, search: &Search, refined: Refined<'_>) -> Result<Self, FitError> {
+    pub fn of(
+        paths: &Paths<'_, '_>,
+        search: &Search,
+        refined: Refined<'_>,
+    ) -> Result<Self, FitError> {
         let model = refined.model.as_deref().unwrap_or(paths.model);
         let unknowns = paths.unknowns.with(model);
         let (best, at_best) = refined.minima.first().ok_or(FitError::NoStart)?;
@@ -38,7 +42,10 @@ impl Certified {
         let values = unknowns.values(&best.q);
         let (data, unit) = (paths.data, paths.target.unit);
         let freedoms = at.residuals.len() - unknowns.sought.len();
-        let tests = paths.data.times().and_then(|_| residual_tests(&at.residuals, None));
+        let tests = paths
+            .data
+            .times()
+            .and_then(|_| residual_tests(&at.residuals, None));
         let factor = tests.as_ref().map_or(1.0, growth);
         // Without known deviations their size is estimated from the residuals.
         let (deviation, quantile) = match data.sigma() {

@@ -1,7 +1,7 @@
 //! The data to be fitted in a scaled unit, and a sample of them.
 
-use super::reduce::power_of_two;
 use super::parameter::Model;
+use super::reduce::power_of_two;
 use super::unknowns::Unknowns;
 use super::{Measurements, Motion};
 

@@ -111,7 +111,9 @@ pub(super) fn search(
 
 /// Number of searches that ended at the best minimum so far.
 fn agreeing(ends: &[Minimum], floor: f64) -> usize {
-    let least = ends.iter().fold(f64::INFINITY, |least, end| end.cost.min(least));
+    let least = ends
+        .iter()
+        .fold(f64::INFINITY, |least, end| end.cost.min(least));
     let same = |end: &&Minimum| end.cost <= least * (1.0 + SAME) + floor;
     ends.iter().filter(same).count()
 }

@@ -73,7 +73,9 @@ fn moved(at: &Linearised, slopes: &DMatrix<f64>, direction: &[f64]) -> Vec<usize
     let changes = |row: &usize| {
         let parts = at.free.iter().zip(direction);
         let parts: Vec<f64> = parts.map(|(&k, d)| slopes[(*row, k)] * d).collect();
-        let largest = parts.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
+        let largest = parts
+            .iter()
+            .fold(0.0, |most: f64, part| most.max(part.abs()));
         largest > 0.0 && parts.iter().sum::<f64>().abs() > CANCELS * largest
     };
     (0..slopes.nrows()).filter(changes).collect()

@@ -6,7 +6,8 @@ use super::guess::Guess;
 use super::record::Memory;
 use tribos_core::law::{Bristle, LuGre, LuGreParameters};
 
-pub(super) const COULOMB_FORCE: FitParameter = parameter("fc", "N", "Coulomb force", Range::Positive);
+pub(super) const COULOMB_FORCE: FitParameter =
+    parameter("fc", "N", "Coulomb force", Range::Positive);
 pub(super) const STATIC_FORCE: FitParameter = parameter("fs", "N", "static force", Range::Positive);
 pub(super) const STRIBECK_SPEED: FitParameter =
     parameter("vs", "m/s", "Stribeck speed", Range::Positive);
@@ -60,8 +61,14 @@ impl Memory for LuGre<f64> {
     type State = Bristle<f64>;
 
     fn new(values: &[f64]) -> Option<Self> {
-        let &[coulomb_force, static_force, stribeck_speed, viscous_damping, stiffness, bristle_damping] =
-            values
+        let &[
+            coulomb_force,
+            static_force,
+            stribeck_speed,
+            viscous_damping,
+            stiffness,
+            bristle_damping,
+        ] = values
         else {
             return None;
         };

@@ -45,8 +45,7 @@ pub(super) fn velocity_steps(
             // The cubic of Hermite.
             part(dt, &|x| {
                 let (rest, rise) = (1.0 - x, to - from);
-                from + rise * x * x * (3.0 - 2.0 * x)
-                    + x * rest * (leaves * rest - arrives * x)
+                from + rise * x * x * (3.0 - 2.0 * x) + x * rest * (leaves * rest - arrives * x)
             });
         }
     }
@@ -81,7 +80,8 @@ pub(super) fn pieces(velocities: &[f64], count: usize) -> Vec<usize> {
     let half = number / 2;
     if !turns.is_empty() {
         let before = PIECE / 4;
-        begins.extend((0..half).map(|k| turns[spread(k, half, turns.len())].saturating_sub(before)));
+        begins
+            .extend((0..half).map(|k| turns[spread(k, half, turns.len())].saturating_sub(before)));
     }
     let rest = number - begins.len();
     begins.extend((0..rest).map(|k| spread(k, rest, all.saturating_sub(PIECE))));

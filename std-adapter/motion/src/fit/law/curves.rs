@@ -3,7 +3,9 @@
 use super::super::parameter::Range;
 use super::form::{Form, around, between, log_between, parameter};
 use super::steady::Curve;
-use tribos_core::law::{DryFriction, LocalLaw, LuGre, LuGreParameters, PowerLaw, Stribeck, StribeckParameters};
+use tribos_core::law::{
+    DryFriction, LocalLaw, LuGre, LuGreParameters, PowerLaw, Stribeck, StribeckParameters,
+};
 
 /// A constant coefficient.
 pub(super) struct Coulomb(f64);
@@ -38,7 +40,12 @@ impl Curve for Viscous {
         linear: &["mu", "k"],
         ordered: None,
         reference: None,
-        start: |guess, unit| vec![guess.coulomb * around(unit[0], 2.0), guess.viscous + unit[1] * guess.forces[1] / guess.speeds[1]],
+        start: |guess, unit| {
+            vec![
+                guess.coulomb * around(unit[0], 2.0),
+                guess.viscous + unit[1] * guess.forces[1] / guess.speeds[1],
+            ]
+        },
     };
 
     fn new(values: &[f64]) -> Option<Self> {
@@ -57,7 +64,12 @@ impl Curve for StribeckCurve {
     const FORM: Form = Form {
         parameters: &[
             parameter("mu_s", "-", "coefficient at rest", Range::NotNegative),
-            parameter("mu_d", "-", "coefficient of the boundary branch", Range::NotNegative),
+            parameter(
+                "mu_d",
+                "-",
+                "coefficient of the boundary branch",
+                Range::NotNegative,
+            ),
             parameter("vs", "m/s", "Stribeck speed", Range::Positive),
             parameter("delta", "-", "exponent", Range::Positive),
             parameter("k", "s/m", "viscous coefficient", Range::NotNegative),
@@ -123,7 +135,10 @@ const SMOOTHED: Form = Form {
     reference: None,
     start: |guess, unit| {
         let spread = [guess.speeds[0], guess.speeds[1]];
-        vec![guess.forces[1] * around(unit[0], 1.5), log_between(unit[1], spread)]
+        vec![
+            guess.forces[1] * around(unit[0], 1.5),
+            log_between(unit[1], spread),
+        ]
     },
 };
 
@@ -161,7 +176,12 @@ impl Curve for Rising {
     const FORM: Form = Form {
         parameters: &[
             parameter("mu_s", "-", "coefficient at rest", Range::NotNegative),
-            parameter("mu_f", "-", "coefficient of fast sliding", Range::NotNegative),
+            parameter(
+                "mu_f",
+                "-",
+                "coefficient of fast sliding",
+                Range::NotNegative,
+            ),
             parameter("vr", "m/s", "speed of the rise", Range::Positive),
         ],
         linear: &["mu_s", "mu_f"],
@@ -170,7 +190,11 @@ impl Curve for Rising {
         start: |guess, unit| {
             let [low, high] = guess.forces;
             let mu_s = low * (0.5 + unit[0]);
-            vec![mu_s, mu_s + (high - low) * (0.5 + unit[1]), log_between(unit[2], guess.speeds)]
+            vec![
+                mu_s,
+                mu_s + (high - low) * (0.5 + unit[1]),
+                log_between(unit[2], guess.speeds),
+            ]
         },
     };
 
@@ -219,7 +243,9 @@ impl Curve for Power {
     };
 
     fn new(values: &[f64]) -> Option<Self> {
-        PowerLaw::new(*values.get(1)?, *values.first()?).ok().map(Self)
+        PowerLaw::new(*values.get(1)?, *values.first()?)
+            .ok()
+            .map(Self)
     }
 
     fn friction(&self, speed: f64, _: f64) -> f64 {
@@ -233,7 +259,12 @@ pub(super) struct Amontons([f64; 2]);
 impl Curve for Amontons {
     const FORM: Form = Form {
         parameters: &[
-            parameter("mu", "-", "coefficient: friction over load", Range::NotNegative),
+            parameter(
+                "mu",
+                "-",
+                "coefficient: friction over load",
+                Range::NotNegative,
+            ),
             parameter("adhesion", "N", "friction without load", Range::Any),
         ],
         linear: &["mu", "adhesion"],

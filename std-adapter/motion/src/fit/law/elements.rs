@@ -61,11 +61,26 @@ pub(super) struct Maxwell([ElasticPlastic; SPRINGS]);
 impl Memory for Maxwell {
     const FORM: Form = Form {
         parameters: &[
-            parameter("k1", "N/m", "stiffness of the spring that yields first", Range::Positive),
+            parameter(
+                "k1",
+                "N/m",
+                "stiffness of the spring that yields first",
+                Range::Positive,
+            ),
             parameter("f1", "N", "force at which it yields", Range::Positive),
-            parameter("k2", "N/m", "stiffness of the second spring", Range::Positive),
+            parameter(
+                "k2",
+                "N/m",
+                "stiffness of the second spring",
+                Range::Positive,
+            ),
             parameter("f2", "N", "force at which it yields", Range::Positive),
-            parameter("k3", "N/m", "stiffness of the third spring", Range::Positive),
+            parameter(
+                "k3",
+                "N/m",
+                "stiffness of the third spring",
+                Range::Positive,
+            ),
             parameter("f3", "N", "force at which it yields", Range::Positive),
         ],
         linear: &[],

@@ -70,15 +70,27 @@ impl FitLaw {
     /// All laws that can be fitted, each with its name and what is fitted.
     pub const ALL: [(Self, &'static str, &'static str); 15] = [
         (Self::Coulomb, "coulomb", "A constant coefficient: mu"),
-        (Self::Viscous, "viscous", "Coulomb friction with a viscous term: mu, k"),
+        (
+            Self::Viscous,
+            "viscous",
+            "Coulomb friction with a viscous term: mu, k",
+        ),
         (
             Self::Stribeck,
             "stribeck",
             "Boundary, then hydrodynamic lubrication: mu_s, mu_d, vs, delta, k",
         ),
-        (Self::Tanh, "tanh", "No jump at rest, as in simulators: mu, vt"),
+        (
+            Self::Tanh,
+            "tanh",
+            "No jump at rest, as in simulators: mu, vt",
+        ),
         (Self::Arctan, "arctan", "The same by an arc tangent: mu, vt"),
-        (Self::Rising, "rising", "Rising and saturating, as of PTFE: mu_s, mu_f, vr"),
+        (
+            Self::Rising,
+            "rising",
+            "Rising and saturating, as of PTFE: mu_s, mu_f, vr",
+        ),
         (Self::Power, "power", "A power of the speed: gamma, alpha"),
         (
             Self::Amontons,
@@ -90,7 +102,11 @@ impl FitLaw {
             "elastic-plastic",
             "A spring that yields: fc, s0; over time",
         ),
-        (Self::Dahl, "dahl", "Bristles that yield as they bend: fc, s0; over time"),
+        (
+            Self::Dahl,
+            "dahl",
+            "Bristles that yield as they bend: fc, s0; over time",
+        ),
         (
             Self::ElastoPlastic,
             "elasto-plastic",
@@ -218,7 +234,8 @@ impl FitLaw {
     fn of_speed(self, data: &Measurements) -> Result<Box<dyn Model + '_>, FitError> {
         const STATES: &str =
             "this law is one of the motion before: give a record over time, with a column t";
-        const LOADS: &str = "Amontons' law needs a column of loads that differ: --columns load=NAME";
+        const LOADS: &str =
+            "Amontons' law needs a column of loads that differ: --columns load=NAME";
         if self.needs_motion()
             && let Some(point) = data.velocities().iter().position(|v| *v == 0.0)
         {
@@ -255,9 +272,7 @@ impl FitLaw {
         times: &'a [f64],
     ) -> Result<Box<dyn Model + 'a>, FitError> {
         Ok(match self {
-            Self::ElasticPlastic => {
-                Box::new(Record::<elements::ElasticPlastic>::new(data, times))
-            }
+            Self::ElasticPlastic => Box::new(Record::<elements::ElasticPlastic>::new(data, times)),
             Self::Dahl => Box::new(Record::<bristles::Dahl>::new(data, times)),
             Self::ElastoPlastic => Box::new(Record::<bristles::ElastoPlastic>::new(data, times)),
             Self::LuGre => Box::new(Record::<LuGre<f64>>::new(data, times)),
@@ -290,8 +305,7 @@ impl FitLaw {
 }
 
 /// The machine's spring counts where friction has a memory of its own.
-const NO_SPRING: &str =
-    "a spring belongs to a record over time under rate-state or rate-state-slip; leave --spring out";
+const NO_SPRING: &str = "a spring belongs to a record over time under rate-state or rate-state-slip; leave --spring out";
 
 /// Refuses backward motion and a start at rest, for which the age is unknown.
 fn forward(velocities: &[f64]) -> Result<(), FitError> {
@@ -303,8 +317,11 @@ fn forward(velocities: &[f64]) -> Result<(), FitError> {
         let message = "rate and state begins in steady sliding: the first velocity must be > 0";
         return Err(refused(0, message));
     }
-    velocities.iter().position(|v| *v < 0.0).map_or(Ok(()), |point| {
-        let message = "rate and state knows no way back: velocities must be >= 0";
-        Err(refused(point, message))
-    })
+    velocities
+        .iter()
+        .position(|v| *v < 0.0)
+        .map_or(Ok(()), |point| {
+            let message = "rate and state knows no way back: velocities must be >= 0";
+            Err(refused(point, message))
+        })
 }

@@ -6,11 +6,17 @@ use super::guess::Guess;
 use super::record::Memory;
 use super::steady::Curve;
 use tribos_core::law::{
-    AgeingLaw, LocalLaw, RateState, RateStateParameters, StateEvolution, StateVariable, SteadyRateState,
+    AgeingLaw, LocalLaw, RateState, RateStateParameters, StateEvolution, StateVariable,
+    SteadyRateState,
 };
 
 pub(super) const PARAMETERS: &[FitParameter] = &[
-    parameter("mu0", "-", "coefficient of steady sliding with v0", Range::NotNegative),
+    parameter(
+        "mu0",
+        "-",
+        "coefficient of steady sliding with v0",
+        Range::NotNegative,
+    ),
     parameter("a", "-", "direct effect of the speed", Range::Positive),
     parameter("b", "-", "effect of the age", Range::Any),
     parameter("v0", "m/s", "reference speed", Range::Positive),

@@ -17,7 +17,12 @@ const PARAMETERS: [FitParameter; 6] = [
     rate_state::PARAMETERS[2],
     rate_state::PARAMETERS[3],
     rate_state::PARAMETERS[5],
-    parameter("spring", "1/m", "stiffness of the machine, per load", Range::Positive),
+    parameter(
+        "spring",
+        "1/m",
+        "stiffness of the machine, per load",
+        Range::Positive,
+    ),
 ];
 
 const FORM: Form = Form {
@@ -48,7 +53,11 @@ pub(super) struct Sprung<'a> {
 
 impl<'a> Sprung<'a> {
     /// Refuses a load point that turns back or rests at the start.
-    pub fn new(data: &'a Measurements, times: &'a [f64], ages: StateEvolutionKind) -> Result<Self, FitError> {
+    pub fn new(
+        data: &'a Measurements,
+        times: &'a [f64],
+        ages: StateEvolutionKind,
+    ) -> Result<Self, FitError> {
         super::forward(data.velocities())?;
         Ok(Self {
             times: Cow::Borrowed(times),

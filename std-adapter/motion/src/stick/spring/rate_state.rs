@@ -299,8 +299,7 @@ impl LoadedContact {
             ..parameters
         });
         let springs = [0.0, stiffness, 1.0];
-        let motion =
-            RateStateMotion::new([law, dry.ok()?], ages, springs, [speed, speed], RECORD);
+        let motion = RateStateMotion::new([law, dry.ok()?], ages, springs, [speed, speed], RECORD);
         Some(Self(motion))
     }
 
