@@ -3,7 +3,7 @@
 use super::Measurements;
 use super::caution::Caution;
 use super::error::FitError;
-use super::parameter::{FitParameter, Model};
+use super::parameter::{Between, FitParameter, Model};
 use super::refine::Paths;
 use super::result::Certified;
 use super::sample::WeightedData;
@@ -106,8 +106,13 @@ pub struct Fit {
     /// Number of points on which the starts were searched: all, or a sample, whose best minima
     /// were refined on all points.
     pub searched: usize,
+    /// Factor, at least 1, by which standard errors and intervals were enlarged because residuals follow each other over
+    /// time.
+    pub error_factor: f64,
     /// What to know before the numbers are used.
     pub cautions: Vec<Caution>,
+    /// The motion between the points of a record.
+    pub(super) path: Between,
 }
 
 impl Measurements {

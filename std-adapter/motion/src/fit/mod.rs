@@ -35,6 +35,7 @@
 
 mod apparatus;
 mod caution;
+mod compare;
 mod covariance;
 mod data;
 mod error;
@@ -61,6 +62,7 @@ mod usage;
 
 pub use apparatus::Apparatus;
 pub use caution::Caution;
+pub use compare::{Compared, compare};
 pub use data::Measurements;
 #[doc(hidden)]
 pub use data::Motion;

@@ -97,7 +97,9 @@ impl Certified {
             at_best: *at_best,
             iterations: best.iterations,
             searched: search.searched,
+            error_factor: factor,
             cautions: Vec::new(),
+            path: refined.path,
         };
         let name = |shift: super::refine::Shift| {
             let name = fit.parameters[shift.parameter].parameter.name;

@@ -52,6 +52,19 @@ impl WeightedData {
         }
     }
 
+    /// The same without the points of a part, which weigh nothing.
+    pub fn without(&self, is_left_out: impl Fn(usize) -> bool) -> Self {
+        let weight = |point: usize| match is_left_out(point) {
+            true => 0.0,
+            false => self.weights.get(point).copied().unwrap_or(1.0),
+        };
+        Self {
+            friction: self.friction.clone(),
+            weights: (0..self.friction.len()).map(weight).collect(),
+            ..*self
+        }
+    }
+
     /// (prediction − friction)/σ in the unit; `None` where the model refuses the coordinates.
     pub fn residuals(&self, unknowns: &Unknowns<'_>, q: &[f64]) -> Option<Vec<f64>> {
         self.residuals_of(unknowns.model, &unknowns.values(q))
