@@ -1,5 +1,6 @@
 //! `tribos fit`: parameters of a friction law, or the pressure under a foot, from measurements.
 
+pub mod log;
 mod output;
 mod plot;
 mod progress;
@@ -7,6 +8,7 @@ mod support;
 mod table;
 
 use crate::failure::Failure;
+use log::LogArguments;
 use progress::Progress;
 use std::num::NonZero;
 use std::path::PathBuf;
@@ -20,10 +22,15 @@ use tribos_report::image;
 /// the parameters that the data do not determine, and how many of several starts agree; or, with
 /// --support, the pressure under a foot to measured pushes.
 ///
-/// The header of the file decides: `v,f` is friction f of steady sliding at speeds v [m/s]; `t,v,f`
+/// The columns of the file decide: `v,f` is friction f of steady sliding at speeds v [m/s]; `t,v,f`
 /// is a record over time [s], for laws with a memory (lugre, rate-state). A column `sigma` with the
 /// standard deviation of f gives points their weights. f is a coefficient, or a force [N] that --load
 /// makes a coefficient; forces of lugre may stay forces.
+///
+/// Logs are read as they are: commas, semicolons, tabs or blanks between columns, decimal points or commas, lines
+/// before the header, units in names or in a line of their own, gzip and UTF-16. Usual names of columns in English and
+/// German are known; --columns names others, --look shows what is understood. Rows without a number, and rows whose time
+/// does not rise, are dropped and counted. Without a velocity, one is made from a position.
 ///
 /// With more than 4,000 points the starts search a sample of about 2,000, and the distinct minima
 /// found on it are refined on all points. A fit longer than two seconds reports its progress.
@@ -35,18 +42,20 @@ use tribos_report::image;
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
-    /// Measurements, a CSV file with the columns v,f or t,v,f and perhaps sigma; `-` for standard
+    /// Measurements, a table with the columns v,f or t,v,f and perhaps sigma; `-` for standard
     /// input.
     #[arg(required_unless_present = "support")]
     data: Option<PathBuf>,
     /// The law.
-    #[arg(long, required_unless_present = "support", value_parser = super::number::named::<FitLaw, 5>(
+    #[arg(long, required_unless_present_any = ["support", "look"], value_parser = super::number::named::<FitLaw, 5>(
         FitLaw::ALL.map(|(_, name, help)| (name, help)),
     ))]
     law: Option<FitLaw>,
     /// Measured pushes, a CSV file with the columns dx,dy,dtheta,fx,fy,torque (`-` for standard input).
-    #[arg(long, value_name = "PUSHES.csv", conflicts_with_all = ["data", "law", "load", "fixed", "starts"])]
+    #[arg(long, value_name = "PUSHES.csv", conflicts_with_all = ["data", "law", "load", "fixed", "starts", "look"])]
     support: Option<PathBuf>,
+    #[command(flatten)]
+    log: LogArguments,
     /// The support under the pushed body, if it is known: box:AxB, polygon:FILE, bar:L, mesh:FILE or points:FILE (weights are loads), in the frame of the pushes.
     #[arg(long, requires = "support")]
     patch: Option<Patch>,
@@ -71,6 +80,8 @@ Examples:
   tribos fit --law stribeck bearing.csv --out out/bearing
   tribos fit --law stribeck forces.csv --load 12.5 --fix delta=2 --fix k=0
   tribos fit --law power ice.csv
+  tribos fit --look log.txt                                # what is understood of a log
+  tribos fit --law lugre log.txt --columns t=Time,f=-Fx --units f=mN
   tribos fit --law lugre pull.csv --out out/joint          # t,v,f: bristles too
   tribos fit --law rate-state steps.csv --fix v0=1e-6 --fix eta=0
   tribos fit --support scenes/data/pushes.csv --patch box:0.2x0.1 --out out/pushes
@@ -100,17 +111,29 @@ fn fixed(text: &str) -> Result<(String, f64), String> {
     Ok((name.trim().to_owned(), super::number::finite(value)?))
 }
 
+/// What was understood of a log.
+fn told(table: &Table) -> String {
+    let lines = table
+        .told
+        .iter()
+        .map(|line| format!("read          {line}\n"));
+    lines.collect()
+}
+
 impl Arguments {
     /// Fits, writes and prints.
     pub fn execute(self) -> Result<(), Failure> {
         if let Some(pushes) = &self.support {
             return support::execute(pushes, self.patch.as_ref(), self.out.as_deref());
         }
+        if let Some(data) = self.data.as_ref().filter(|_| self.log.look) {
+            return self.log.show(data, &log::ROLES);
+        }
         let (Some(data), Some(law)) = (&self.data, self.law) else {
             return Err(Failure::input("give measurements and --law, or --support"));
         };
         self.fixed_once()?;
-        let table = Table::read(data, self.load)?;
+        let table = Table::read(data, &self.log.options(), self.load)?;
         let fail = |error| table.refusal(error);
         let data = &table.data;
         let model = law.model(data).map_err(fail)?;
@@ -140,7 +163,7 @@ impl Arguments {
             image::write_both(out, "fit", &figure)?;
             report.write(out)?;
         }
-        super::print(&report.text())?;
+        super::print(&(told(&table) + &report.text()))?;
         match &self.out {
             Some(out) => super::print(&format!("written to    {}\n", out.display())),
             None => Ok(()),
