@@ -14,6 +14,8 @@ pub(super) struct Heading {
     pub name: String,
     /// The unit, if the heading or the line under it has one.
     pub unit: Option<String>,
+    /// Whether its numbers change their sign.
+    pub is_negated: bool,
 }
 
 impl Heading {
@@ -29,6 +31,7 @@ impl Heading {
             text: text.to_owned(),
             name: name.trim().trim_end_matches([',', ':']).trim().to_owned(),
             unit,
+            is_negated: false,
         }
     }
 }

@@ -35,6 +35,7 @@ pub use error::RecordError;
 pub use log::{
     ColumnChoice, ColumnChoices, DropReason, Log, LogOptionError, LogOptions, LogRole, Look,
     LookColumn, UnitChoices, log_of_columns, look, look_from, read_log, read_log_from,
+    used_columns,
 };
 #[doc(hidden)]
 pub use number::brief;

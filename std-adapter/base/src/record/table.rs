@@ -8,6 +8,7 @@ use super::cells::Decimal;
 use super::dialect::WordsBelow;
 use super::heading::Heading;
 use super::lines::Lines;
+use super::log::{LogOptions, rename};
 use super::sheet::Sheet;
 use super::units::any_unit;
 use std::io::BufRead;
@@ -75,7 +76,12 @@ impl<'a> Rows<'a> {
         path: &Path,
         choose: impl FnMut(&[&str]) -> &'static [&'static str],
     ) -> Result<Self, TableError> {
-        Self::with(Lines::open(path)?, OtherColumns::Refused, choose)
+        Self::with(
+            Lines::open(path)?,
+            OtherColumns::Refused,
+            &LogOptions::default(),
+            choose,
+        )
     }
 
     /// The same of a file that a command line names: `-` is standard input.
@@ -83,7 +89,21 @@ impl<'a> Rows<'a> {
         path: &Path,
         choose: impl FnMut(&[&str]) -> &'static [&'static str],
     ) -> Result<Self, TableError> {
-        Self::with(Lines::asked_for(path)?, OtherColumns::Refused, choose)
+        Self::with_options(path, &LogOptions::default(), choose)
+    }
+
+    /// The same, with what a user says of columns and units, whose roles are the names of the columns. Where columns are
+    /// named, the file may have others.
+    pub fn with_options(
+        path: &Path,
+        options: &LogOptions,
+        choose: impl FnMut(&[&str]) -> &'static [&'static str],
+    ) -> Result<Self, TableError> {
+        let others = match options.columns.0.is_empty() {
+            true => OtherColumns::Refused,
+            false => OtherColumns::Ignored,
+        };
+        Self::with(Lines::asked_for(path)?, others, options, choose)
     }
 
     /// The same of an open source with this name.
@@ -93,23 +113,30 @@ impl<'a> Rows<'a> {
         others: OtherColumns,
         choose: impl FnMut(&[&str]) -> &'static [&'static str],
     ) -> Result<Self, TableError> {
-        Self::with(Lines::of(name, Box::new(source)), others, choose)
+        Self::with(
+            Lines::of(name, Box::new(source)),
+            others,
+            &LogOptions::default(),
+            choose,
+        )
     }
 
     fn with(
         lines: Lines<'a>,
         others: OtherColumns,
+        options: &LogOptions,
         mut choose: impl FnMut(&[&str]) -> &'static [&'static str],
     ) -> Result<Self, TableError> {
         let mut known = |header: &[&str]| {
             let headings: Vec<Heading> = header.iter().map(|text| Heading::of(text)).collect();
             let header = both(headings.iter());
             let names = choose(&header);
-            names.iter().filter(|name| header.contains(name)).count()
+            let is_wanted = |name: &&&str| header.contains(*name);
+            names.iter().filter(is_wanted).count() + options.named_in(&headings)
         };
-        let mut sheet = Sheet::open(lines, 0, WordsBelow::Rows, &mut known)?;
+        let mut sheet = Sheet::open(lines, options.skip, WordsBelow::Rows, &mut known)?;
         let at = sheet.header_line();
-        if sheet.headings.is_empty() {
+        if sheet.headings.is_empty() && options.columns.0.is_empty() {
             // The first line is taken for a header that misses the names.
             let first = if sheet.advance()? { sheet.text() } else { "" };
             sheet.headings = sheet
@@ -119,6 +146,8 @@ impl<'a> Rows<'a> {
                 .map(Heading::of)
                 .collect();
         }
+        let renamed = rename(&mut sheet.headings, sheet.width, options);
+        renamed.map_err(|reason| sheet.refusal_at(at, &reason))?;
         let names = choose(&both(sheet.headings.iter()));
         let header: Vec<&str> = sheet
             .headings
@@ -131,7 +160,10 @@ impl<'a> Rows<'a> {
         let sized = places.into_iter().map(|place| {
             let heading = sheet.headings.get(place);
             // An ending such as _deg of a wanted name is part of it.
-            let heading = heading.filter(|heading| has_units || !names.contains(&&*heading.text));
+            let is_apart = |heading: &&Heading| {
+                has_units || heading.is_negated || !names.contains(&&*heading.text)
+            };
+            let heading = heading.filter(is_apart);
             let size = heading.map_or(Ok(1.0), size).map_err(refused)?;
             Ok((place, size))
         });
@@ -271,10 +303,11 @@ fn named<'a>(heading: &'a Heading, names: &[&str]) -> &'a str {
 
 /// Size of the unit of a heading in SI.
 fn size(heading: &Heading) -> Result<f64, String> {
+    let sign = if heading.is_negated { -1.0 } else { 1.0 };
     let Some(unit) = &heading.unit else {
-        return Ok(1.0);
+        return Ok(sign);
     };
-    any_unit(unit).map(|(_, size)| size).ok_or_else(|| {
+    any_unit(unit).map(|(_, size)| sign * size).ok_or_else(|| {
         format!(
             "the unit `{unit}` of column `{}` is not known; give SI units, or no unit",
             heading.text
@@ -372,6 +405,61 @@ mod tests {
         ] {
             assert_eq!(read(text), Err(reason.to_owned()), "{text:?}");
         }
+    }
+
+    #[test]
+    fn columns_and_units_are_as_the_options_say() -> Result<(), Box<dyn std::error::Error>> {
+        let folder = tempfile::tempdir()?;
+        let file = folder.path().join("pushes.txt");
+        let read = |text: &str,
+                    columns: &str,
+                    units: &str,
+                    skip|
+         -> Result<_, Box<dyn std::error::Error>> {
+            std::fs::write(&file, text)?;
+            let mut options = LogOptions {
+                skip,
+                ..LogOptions::default()
+            };
+            if !columns.is_empty() {
+                options.columns = columns.parse()?;
+            }
+            if !units.is_empty() {
+                options.units = units.parse()?;
+            }
+            let rows = Rows::with_options(&file, &options, |_| &["fx", "fy"]);
+            let told = |refusal: TableError| refusal.to_string();
+            Ok(rows.and_then(|rows| rows.all::<2>(9)).map_err(told))
+        };
+        for (text, columns, units, skip) in [
+            ("fy;n;fx\n1,5;7;2\n", "fx=fx", "", 0),
+            ("a;b [mN]\n2;1500\n", "fx=a,fy=b", "", 0),
+            ("fy,fx\n2,1.5\n", "fx=fy,fy=fx", "", 0),
+            ("9 9 9\n-0.002 0 1.5\n", "fx=-1,fy=3", "fx=kN", 1),
+        ] {
+            assert_eq!(
+                read(text, columns, units, skip)?,
+                Ok(vec![[2.0, 1.5]]),
+                "{text}"
+            );
+        }
+        let refused = read("fx,fy\n1,2\n", "", "fx=yard", 0)?
+            .err()
+            .unwrap_or_default();
+        assert!(
+            refused.ends_with("pushes.txt:1: --units fx: the unit `yard` is not known"),
+            "{refused}"
+        );
+        let refused = read("fx,fy\n1,2\n", "fx=Fx2", "", 0)?
+            .err()
+            .unwrap_or_default();
+        assert!(
+            refused.contains(
+                ":1: --columns fx: there is no column `Fx2`; the columns are 1 `fx`, 2 `fy`"
+            ),
+            "{refused}"
+        );
+        Ok(())
     }
 
     #[test]

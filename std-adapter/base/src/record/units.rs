@@ -210,10 +210,9 @@ fn plain(text: &str) -> String {
 /// A unit of one of these dimensions: what it measures and its size in SI. Of units that are spelled alike, such as g,
 /// the first dimension counts.
 pub(super) fn unit(text: &str, dimensions: &[Dimension]) -> Option<(Dimension, f64)> {
-    let found = dimensions
+    dimensions
         .iter()
-        .find_map(|wanted| all_named(text).find(|(dimension, _)| dimension == wanted));
-    found
+        .find_map(|wanted| all_named(text).find(|(dimension, _)| dimension == wanted))
 }
 
 /// Whether a text is a unit of any dimension: the first that the table has.

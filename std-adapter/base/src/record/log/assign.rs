@@ -114,6 +114,61 @@ pub(super) fn missing(role: &LogRole, headings: &[Heading], width: usize) -> Str
     }
 }
 
+/// Gives columns the names and the units of options; without a header all others stay nameless.
+pub(in crate::record) fn rename(
+    headings: &mut Vec<Heading>,
+    width: usize,
+    options: &LogOptions,
+) -> Result<(), String> {
+    if headings.is_empty() {
+        headings.resize(width, Heading::of(""));
+    }
+    let given = headings.clone();
+    for choice in &options.columns.0 {
+        let (role, Some(column)) = (&choice.role, &choice.column) else {
+            continue;
+        };
+        let found = chosen(&given, given.len(), column)
+            .map_err(|why| format!("--columns {role}: {why}"))?;
+        // Another column of the name makes room.
+        for other in headings.iter_mut().filter(|other| other.name == *role) {
+            *other = Heading::of("");
+        }
+        let unit = given.get(found).and_then(|heading| heading.unit.clone());
+        if let Some(heading) = headings.get_mut(found) {
+            *heading = Heading {
+                is_negated: choice.is_negated,
+                ..with_unit(role, unit)
+            };
+        }
+    }
+    for (role, text) in &options.units.0 {
+        let Some(heading) = headings.iter_mut().find(|heading| heading.name == *role) else {
+            return Err(format!("--units {role}={text}: there is no column {role}"));
+        };
+        any_unit(text).ok_or_else(|| format!("--units {role}: the unit `{text}` is not known"))?;
+        let is_negated = heading.is_negated;
+        *heading = Heading {
+            is_negated,
+            ..with_unit(role, Some(text.clone()))
+        };
+    }
+    Ok(())
+}
+
+/// The heading of a role with this unit.
+fn with_unit(role: &str, unit: Option<String>) -> Heading {
+    let beside = unit
+        .as_ref()
+        .map_or(String::new(), |unit| format!(" [{unit}]"));
+    Heading {
+        text: format!("{role}{beside}"),
+        name: role.into(),
+        unit,
+        is_negated: false,
+    }
+}
+
 /// Refuses roles in options that nobody asked for.
 fn known_roles(roles: &[LogRole], options: &LogOptions) -> Result<(), String> {
     let columns = options

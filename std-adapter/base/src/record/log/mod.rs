@@ -20,6 +20,7 @@ use super::heading::Heading;
 use super::lines::Lines;
 use super::sheet::Sheet;
 use super::table::TableError;
+pub(super) use assign::rename;
 use assign::{Assigned, assign, missing};
 use collect::Collector;
 use derive::{Plan, derivatives};
@@ -146,11 +147,20 @@ pub fn log_of_columns(
     };
     let plan = plan(&headings, headings.len(), roles, options).map_err(whole)?;
     let mut collector = Collector::new(&plan.assigned);
-    let count = columns
-        .iter()
-        .map(|(_, values)| values.len())
-        .max()
-        .unwrap_or_default();
+    let length = |one: &Assigned| {
+        columns
+            .get(one.column)
+            .map_or(0, |(_, values)| values.len())
+    };
+    let count = plan.assigned.first().map_or(0, length);
+    if let Some(other) = plan.assigned.iter().find(|one| length(one) != count) {
+        let reason = format!(
+            "columns of different lengths: {count}, and {} of `{}`",
+            length(other),
+            other.name
+        );
+        return Err(whole(reason));
+    }
     for row in 0..count {
         for (slot, one) in plan.assigned.iter().enumerate() {
             let value = columns
@@ -168,6 +178,22 @@ pub fn log_of_columns(
         collector.end(row as u64 + 1);
     }
     finish(collector, plan, None).map_err(whole)
+}
+
+/// Places of the columns that [`log_of_columns`] reads; the others may be empty there.
+pub fn used_columns(
+    name: &str,
+    columns: &[String],
+    roles: &[LogRole],
+    options: &LogOptions,
+) -> Result<Vec<usize>, TableError> {
+    let headings: Vec<Heading> = columns.iter().map(|name| Heading::of(name)).collect();
+    let plan = plan(&headings, headings.len(), roles, options);
+    let used = plan.map(|plan| plan.assigned.iter().map(|one| one.column).collect());
+    used.map_err(|reason| TableError::Whole {
+        file: name.into(),
+        reason,
+    })
 }
 
 /// Columns of roles and what is to be made of them.
@@ -195,18 +221,8 @@ fn plan(
 fn known<'a>(roles: &'a [LogRole], options: &'a LogOptions) -> impl FnMut(&[&str]) -> usize + 'a {
     move |header| {
         let headings: Vec<Heading> = header.iter().map(|text| Heading::of(text)).collect();
-        let is_chosen = |heading: &Heading| {
-            let mut chosen = options
-                .columns
-                .0
-                .iter()
-                .filter_map(|choice| choice.column.as_ref());
-            chosen.any(|column| *column == heading.text || *column == heading.name)
-        };
-        let is_known = |heading: &&Heading| {
-            is_chosen(heading) || roles.iter().any(|role| role.rank(heading).is_some())
-        };
-        headings.iter().filter(is_known).count()
+        let is_known = |heading: &&Heading| roles.iter().any(|role| role.rank(heading).is_some());
+        headings.iter().filter(is_known).count() + options.named_in(&headings)
     }
 }
 

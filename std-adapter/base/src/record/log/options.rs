@@ -1,5 +1,6 @@
 //! What a user says of a log: columns, units, lines to leave out.
 
+use crate::record::heading::Heading;
 use std::str::FromStr;
 
 /// What a user says of a log beside the file.
@@ -11,6 +12,18 @@ pub struct LogOptions {
     pub units: UnitChoices,
     /// Lines at the beginning that are left out.
     pub skip: u64,
+}
+
+impl LogOptions {
+    /// How many headings are named as columns.
+    pub(in crate::record) fn named_in(&self, headings: &[Heading]) -> usize {
+        let is_named = |heading: &&Heading| {
+            let columns = self.columns.0.iter();
+            let mut columns = columns.filter_map(|choice| choice.column.as_ref());
+            columns.any(|column| *column == heading.text || *column == heading.name)
+        };
+        headings.iter().filter(is_named).count()
+    }
 }
 
 /// A text of options that cannot be read.

@@ -14,9 +14,9 @@ pub struct LogRole {
     pub dimensions: &'static [Dimension],
     /// Whether a log without it is refused.
     pub is_needed: bool,
-    /// Names in the logs of others, in small letters and digits alone; those with capitals count with these. Names of an
-    /// earlier list are preferred to those of a later one.
-    pub synonyms: &'static [&'static [&'static str]],
+    /// Names in the logs of others between blanks, in small letters and digits alone; those with capitals count with these.
+    /// Names of an earlier text are preferred to those of a later one.
+    pub synonyms: &'static [&'static str],
 }
 
 impl LogRole {
@@ -25,21 +25,10 @@ impl LogRole {
         "t",
         "time",
         &[Dimension::Time],
-        &[&[
-            "time",
-            "zeit",
-            "timestamp",
-            "zeitstempel",
-            "elapsedtime",
-            "testtime",
-            "runtime",
-            "messzeit",
-            "laufzeit",
-            "versuchszeit",
-            "timestamps",
-            "temps",
-            "tempo",
-        ]],
+        &[
+            "time zeit timestamp zeitstempel elapsedtime testtime runtime messzeit laufzeit \
+                 versuchszeit timestamps temps tempo",
+        ],
     );
     /// Sliding velocity, in m/s or rad/s.
     pub const VELOCITY: Self = Self::optional(
@@ -47,42 +36,11 @@ impl LogRole {
         "sliding velocity",
         &[Dimension::Speed, Dimension::Rotation],
         &[
-            &[
-                "velocity",
-                "speed",
-                "slidingvelocity",
-                "slidingspeed",
-                "slipvelocity",
-                "sliprate",
-                "sliprvelocity",
-                "geschwindigkeit",
-                "gleitgeschwindigkeit",
-                "relativgeschwindigkeit",
-                "relativevelocity",
-                "vel",
-                "velocities",
-                "linearspeed",
-                "vitesse",
-            ],
-            &[
-                "jointvelocity",
-                "angularvelocity",
-                "angularspeed",
-                "winkelgeschwindigkeit",
-                "omega",
-                "ω",
-                "qd",
-                "dq",
-                "qdot",
-                "rpm",
-                "drehzahl",
-                "rotationalspeed",
-                "motorspeed",
-                "rotationspeed",
-                "xdot",
-                "vx",
-                "jointspeed",
-            ],
+            "velocity speed slidingvelocity slidingspeed slipvelocity sliprate \
+                 geschwindigkeit gleitgeschwindigkeit relativgeschwindigkeit relativevelocity vel \
+                 velocities linearspeed vitesse",
+            "jointvelocity angularvelocity angularspeed winkelgeschwindigkeit omega ω qd dq qdot \
+                 rpm drehzahl rotationalspeed motorspeed rotationspeed xdot vx jointspeed",
         ],
     );
     /// Friction: a coefficient, a force in N or a torque in N m.
@@ -96,58 +54,13 @@ impl LogRole {
             Dimension::Electric,
         ],
         &[
-            &[
-                "friction",
-                "frictioncoefficient",
-                "coefficientoffriction",
-                "cof",
-                "mu",
-                "µ",
-                "frictionforce",
-                "frictiontorque",
-                "reibung",
-                "reibwert",
-                "reibungszahl",
-                "reibzahl",
-                "reibungskoeffizient",
-                "reibkoeffizient",
-                "reibkraft",
-                "reibungskraft",
-                "reibmoment",
-                "reibungsmoment",
-                "frictioncoeff",
-                "coeffriction",
-                "coefoffriction",
-                "frictioncoef",
-                "frottement",
-            ],
-            &[
-                "force",
-                "kraft",
-                "tangentialforce",
-                "tangentialkraft",
-                "lateralforce",
-                "shearforce",
-                "torque",
-                "moment",
-                "drehmoment",
-                "FT",
-                "Ft",
-                "FR",
-                "Fr",
-                "Ff",
-                "FF",
-                "Fx",
-                "FX",
-                "tau",
-                "τ",
-                "jointtorque",
-                "motortorque",
-                "shearstress",
-                "motorcurrent",
-                "current",
-                "strom",
-            ],
+            "friction frictioncoefficient coefficientoffriction cof mu µ frictionforce \
+                 frictiontorque reibung reibwert reibungszahl reibzahl reibungskoeffizient \
+                 reibkoeffizient reibkraft reibungskraft reibmoment reibungsmoment frictioncoeff \
+                 coeffriction coefoffriction frictioncoef frottement",
+            "force kraft tangentialforce tangentialkraft lateralforce shearforce torque moment \
+                 drehmoment FT Ft FR Fr Ff FF Fx FX tau τ jointtorque motortorque shearstress \
+                 motorcurrent current strom",
         ],
     );
     /// Standard deviation of the friction, in its unit.
@@ -155,86 +68,41 @@ impl LogRole {
         "sigma",
         "standard deviation of the friction",
         Self::FRICTION.dimensions,
-        &[&[
-            "σ",
-            "standarddeviation",
-            "standardabweichung",
-            "stddev",
-            "std",
-            "uncertainty",
-            "fstd",
-            "sigmaf",
-            "error",
-        ]],
+        &["σ standarddeviation standardabweichung stddev std uncertainty fstd sigmaf error"],
     );
     /// Position along the sliding, in m or rad.
     pub const POSITION: Self = Self::optional(
         "x",
         "position",
         &[Dimension::Length, Dimension::Angle],
-        &[&[
-            "position",
-            "displacement",
-            "displ",
-            "disp",
-            "weg",
-            "verschiebung",
-            "gleitweg",
-            "slip",
-            "slidingdistance",
-            "distance",
-            "stroke",
-            "pos",
-            "xpos",
-            "posx",
-            "jointposition",
-            "q",
-            "auslenkung",
-            "hub",
-        ]],
+        &[
+            "position displacement displ disp weg verschiebung gleitweg slip slidingdistance \
+                 distance stroke pos xpos posx jointposition q auslenkung hub",
+        ],
     );
     /// Position across, in m.
     pub const ACROSS: Self = Self::optional(
         "y",
         "position across",
         &[Dimension::Length],
-        &[&["ypos", "posy", "yposition"]],
+        &["ypos posy yposition"],
     );
     /// Angle of a body, in rad.
     pub const ANGLE: Self = Self::optional(
         "angle",
         "angle",
         &[Dimension::Angle],
-        &[&[
-            "theta",
-            "θ",
-            "winkel",
-            "drehwinkel",
-            "yaw",
-            "orientation",
-            "phi",
-            "φ",
-            "heading",
-            "rotation",
-        ]],
+        &["theta θ winkel drehwinkel yaw orientation phi φ heading rotation"],
     );
     /// Acceleration, in m/s² or rad/s².
     pub const ACCELERATION: Self = Self::optional(
         "a",
         "acceleration",
         &[Dimension::Acceleration, Dimension::AngularAcceleration],
-        &[&[
-            "acceleration",
-            "beschleunigung",
-            "acc",
-            "accel",
-            "angularacceleration",
-            "winkelbeschleunigung",
-            "qdd",
-            "ddq",
-            "qddot",
-            "jointacceleration",
-        ]],
+        &[
+            "acceleration beschleunigung acc accel angularacceleration winkelbeschleunigung qdd \
+                 ddq qddot jointacceleration",
+        ],
     );
     /// Normal load, in N.
     pub const LOAD: Self = Self::optional(
@@ -242,25 +110,9 @@ impl LogRole {
         "normal load",
         &[Dimension::Force, Dimension::Pressure],
         &[
-            &[
-                "normalforce",
-                "normalload",
-                "normalkraft",
-                "last",
-                "normal",
-                "normallast",
-                "FN",
-                "Fn",
-                "FZ",
-                "Fz",
-                "verticalforce",
-                "anpresskraft",
-                "belastung",
-                "normalstress",
-                "effectivenormalstress",
-                "auflast",
-            ],
-            &["pressure", "pressung"],
+            "normalforce normalload normalkraft last normal normallast FN Fn FZ Fz verticalforce \
+                 anpresskraft belastung normalstress effectivenormalstress auflast",
+            "pressure pressung",
         ],
     );
     /// All of them.
@@ -280,7 +132,7 @@ impl LogRole {
         name: &'static str,
         meaning: &'static str,
         dimensions: &'static [Dimension],
-        synonyms: &'static [&'static [&'static str]],
+        synonyms: &'static [&'static str],
     ) -> Self {
         Self {
             name,
@@ -333,14 +185,12 @@ impl LogRole {
         };
         let plain = plain_name(&heading.name);
         let is_named =
-            |synonym: &&str| match synonym.chars().any(|letter| letter.is_ascii_uppercase()) {
-                true => name == **synonym || text == **synonym,
-                false => plain == **synonym,
+            |synonym: &str| match synonym.chars().any(|letter| letter.is_ascii_uppercase()) {
+                true => name == synonym || text == synonym,
+                false => plain == synonym,
             };
-        let list = self
-            .synonyms
-            .iter()
-            .position(|list| list.iter().any(|word| is_named(&word)));
+        let mut lists = self.synonyms.iter();
+        let list = lists.position(|list| list.split_whitespace().any(is_named));
         let loosely = plain == self.name;
         list.map(|list| 2 + list)
             .or(loosely.then_some(2 + self.synonyms.len()))
