@@ -1,66 +1,47 @@
-//! Measurements from a CSV file.
+//! Measurements from a log.
 
+use super::log::ROLES;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use tribos::fit::{FitError, Measurements, Motion};
-use tribos::record::{Rows, TableError};
+use tribos::record::{LogOptions, read_log};
 
 /// The measurements of a file.
 #[derive(Debug)]
 pub struct Table {
     /// The measurements, checked.
     pub data: Measurements,
+    /// What was understood of a file that is not as Tribos writes it.
+    pub told: Vec<String>,
     name: PathBuf,
     /// Line of each point.
     lines: Vec<u64>,
 }
 
-/// Headers that are understood; columns may come in any order.
-const HEADERS: [&[&str]; 4] = [
-    &["v", "f"],
-    &["v", "f", "sigma"],
-    &["t", "v", "f"],
-    &["t", "v", "f", "sigma"],
-];
-const EXPECTED: &str =
-    "(columns are v,f for steady sliding or t,v,f for a record over time, either with sigma)";
+const EXPECTED: &str = "(columns are v,f for steady sliding or t,v,f for a record over time, either with sigma; \
+    --look shows what is understood of a file)";
 
 impl Table {
-    /// Reads `v,f` or `t,v,f`, either with `sigma`; friction is divided by the load.
-    pub fn read(path: &Path, load: Option<f64>) -> Result<Self, Failure> {
-        let mut names: &[&str] = HEADERS[0];
-        let explained = |failure: TableError| Failure::input(format!("{failure} {EXPECTED}"));
-        let mut rows = Rows::asked_for(path, |header| {
-            let [is_record, has_sigma] = ["t", "sigma"].map(|name| header.contains(&name));
-            names = HEADERS[2 * usize::from(is_record) + usize::from(has_sigma)];
-            names
-        })
-        .map_err(explained)?;
-        let mut columns = vec![Vec::new(); names.len()];
-        let mut row = vec![0.0; names.len()];
-        let mut lines = Vec::new();
-        while let Some(line) = rows.next(&mut row).map_err(explained)? {
-            lines.push(line);
-            for (column, value) in columns.iter_mut().zip(&row) {
-                column.push(*value);
-            }
-        }
-        let mut take = |name: &str| {
-            let at = names.iter().position(|known| *known == name)?;
-            columns.get_mut(at).map(std::mem::take)
-        };
+    /// Reads velocity and friction, and time and standard deviation if they are there; friction is divided by the load.
+    pub fn read(path: &Path, options: &LogOptions, load: Option<f64>) -> Result<Self, Failure> {
+        let explained = |failure| Failure::input(format!("{failure} {EXPECTED}"));
+        let mut log = read_log(path, &ROLES, options).map_err(explained)?;
         let load = load.unwrap_or(1.0);
         let per_load = |values: Vec<f64>| values.into_iter().map(|f| f / load).collect::<Vec<_>>();
-        let velocities = take("v").unwrap_or_default();
-        let friction = per_load(take("f").unwrap_or_default());
-        let sigma = take("sigma").map(per_load);
-        let data = match take("t") {
+        let velocities = log.take("v").unwrap_or_default();
+        let friction = per_load(log.take("f").unwrap_or_default());
+        let sigma = log.take("sigma").map(per_load);
+        let data = match log.take("t") {
             Some(times) => Measurements::series(times, velocities, friction, sigma),
             None => Measurements::steady(velocities, friction, sigma),
         };
-        let data = data.map_err(|error| refusal(path, &lines, error))?;
-        let name = path.to_path_buf();
-        Ok(Self { data, name, lines })
+        let data = data.map_err(|error| refusal(path, &log.lines, error))?;
+        Ok(Self {
+            data,
+            told: log.brief,
+            name: path.to_path_buf(),
+            lines: log.lines,
+        })
     }
 
     /// A refusal with file and line, where it is about a line.

@@ -1,5 +1,6 @@
 //! The lines of a text file, one after the other.
 
+use super::encoding::{as_text, letters_of};
 use super::read::packer;
 use super::table::TableError;
 use std::fs::File;
@@ -11,12 +12,26 @@ const LONGEST: usize = 65_536;
 /// Mark of the byte order that some programs put before UTF-8 text.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
-/// Lines of a file that are not blank, with their numbers; one of them is held in memory.
+/// The control character of a new page, which a text may have.
+const NEW_PAGE: u8 = 0x0c;
+/// The letter that ends a text under DOS.
+const DOS_END: u8 = 0x1a;
+
+/// Lines of a file that are not blank, with their numbers; one of them is held in memory. Files may be packed by gzip,
+/// in UTF-8, in UTF-16 with its mark, or in Windows' letters of one byte.
 pub struct Lines<'a> {
     name: PathBuf,
     source: Box<dyn BufRead + 'a>,
+    /// Whether nothing was read so far.
+    is_new: bool,
+    /// What was done to the source to make it text.
+    unpacked: Option<&'static str>,
     /// The line read last, without its end.
     bytes: Vec<u8>,
+    /// The same as text where its bytes are not UTF-8.
+    converted: String,
+    is_converted: bool,
+    has_windows_letters: bool,
     number: u64,
     /// Whether the line read last ended with a carriage return, to which a line feed belongs.
     ended_by_return: bool,
@@ -29,12 +44,25 @@ impl<'a> Lines<'a> {
         Ok(Self::of(path, Box::new(BufReader::new(file))))
     }
 
+    /// Of a file that a command line names: `-` is standard input.
+    pub fn asked_for(path: &Path) -> Result<Self, TableError> {
+        if path == Path::new("-") {
+            return Ok(Self::of(path, Box::new(io::stdin().lock())));
+        }
+        Self::open(path)
+    }
+
     /// Of an open source with this name.
     pub fn of(path: &Path, source: Box<dyn BufRead + 'a>) -> Self {
         Self {
             name: path.to_path_buf(),
             source,
+            is_new: true,
+            unpacked: None,
             bytes: Vec::new(),
+            converted: String::new(),
+            is_converted: false,
+            has_windows_letters: false,
             number: 0,
             ended_by_return: false,
         }
@@ -42,37 +70,82 @@ impl<'a> Lines<'a> {
 
     /// The next line that is neither blank nor a comment, which begins with #.
     pub fn next(&mut self) -> Result<Option<&str>, TableError> {
+        while let Some(is_comment) = self.advance()? {
+            if !is_comment {
+                return Ok(Some(self.text()));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Goes to the next line that is not blank: whether it is a comment, or none at the end.
+    pub(super) fn advance(&mut self) -> Result<Option<bool>, TableError> {
         loop {
             let read = self.read_line();
             if !read.map_err(|error| unreadable(&self.name, &error))? {
                 return Ok(None);
             }
-            if self.number == 1
-                && let Some(cure) = packer(&self.bytes)
-            {
-                return Err(
-                    self.refusal(&format!("the file is compressed ({cure}); unpack it first"))
-                );
-            }
-            if self.bytes.contains(&0) {
-                return Err(
-                    self.refusal("the file is not text: it contains a zero byte; give plain CSV")
-                );
-            }
-            if self.bytes.len() > LONGEST {
-                let message = format!("longer than {LONGEST} bytes; give plain CSV");
-                return Err(self.refusal(&message));
-            }
+            self.refuse_what_is_no_text()?;
             let first = self.bytes.iter().find(|byte| !byte.is_ascii_whitespace());
-            if first.is_some_and(|byte| *byte != b'#') {
-                break;
+            let Some(first) = first else {
+                continue;
+            };
+            let is_comment = *first == b'#';
+            self.is_converted = std::str::from_utf8(&self.bytes).is_err();
+            if self.is_converted {
+                self.has_windows_letters = true;
+                letters_of(&self.bytes, &mut self.converted);
             }
+            return Ok(Some(is_comment));
         }
-        match std::str::from_utf8(&self.bytes) {
-            Ok(text) if self.number == 1 => Ok(Some(text.trim_start_matches(BYTE_ORDER_MARK))),
-            Ok(text) => Ok(Some(text)),
-            Err(_) => Err(self.refusal("not UTF-8 text; save the file as plain CSV")),
+    }
+
+    /// The line read last.
+    pub(super) fn text(&self) -> &str {
+        let text = match self.is_converted {
+            true => &self.converted,
+            false => std::str::from_utf8(&self.bytes).unwrap_or_default(),
+        };
+        match self.number {
+            1 => text.trim_start_matches(BYTE_ORDER_MARK),
+            _ => text,
         }
+    }
+
+    /// The name of the source.
+    pub(super) fn name(&self) -> String {
+        self.name.display().to_string()
+    }
+
+    /// Words for an encoding other than UTF-8 that was met so far.
+    pub(super) fn encoding(&self) -> Option<&'static str> {
+        self.unpacked
+            .or(self.has_windows_letters.then_some("Latin-1"))
+    }
+
+    fn refuse_what_is_no_text(&mut self) -> Result<(), TableError> {
+        if self.number == 1
+            && let Some(cure) = packer(&self.bytes)
+        {
+            return Err(self.refusal(&format!("the file is compressed ({cure}); unpack it first")));
+        }
+        if self.bytes.contains(&0) {
+            return Err(
+                self.refusal("the file is not text: it contains a zero byte; give plain CSV")
+            );
+        }
+        if self.bytes.last() == Some(&DOS_END) {
+            self.bytes.pop();
+        }
+        if self.bytes.iter().any(is_control) {
+            return Err(self
+                .refusal("the file is not text: it contains control characters; give plain CSV"));
+        }
+        if self.bytes.len() > LONGEST {
+            let message = format!("longer than {LONGEST} bytes; give plain CSV");
+            return Err(self.refusal(&message));
+        }
+        Ok(())
     }
 
     /// Number of the line read last, from 1; 0 before the first.
@@ -97,6 +170,11 @@ impl<'a> Lines<'a> {
     /// Reads up to the next line feed or carriage return, or past [`LONGEST`] bytes; false at the
     /// end of the file.
     fn read_line(&mut self) -> io::Result<bool> {
+        if self.is_new {
+            self.is_new = false;
+            let raw = std::mem::replace(&mut self.source, Box::new(io::empty()));
+            (self.source, self.unpacked) = as_text(raw)?;
+        }
         self.bytes.clear();
         let mut has_any = false;
         loop {
@@ -131,6 +209,11 @@ impl<'a> Lines<'a> {
             }
         }
     }
+}
+
+/// Whether no text has such a byte.
+fn is_control(byte: &u8) -> bool {
+    *byte < b' ' && !matches!(*byte, b'\t' | NEW_PAGE)
 }
 
 fn unreadable(path: &Path, error: &io::Error) -> TableError {
@@ -182,9 +265,19 @@ mod tests {
         static ENDLESS: [u8; LONGEST + 2] = [b'0'; LONGEST + 2];
         let refused = lines(&ENDLESS, 4096).err().unwrap_or_default();
         assert!(refused.starts_with("a:1: longer than"), "{refused}");
-        let refused = lines(b"\x1f\x8b\x08\0", 8).err().unwrap_or_default();
-        assert!(refused.contains("(gunzip); unpack it first"), "{refused}");
-        let refused = lines(b"v\n\xff\n", 8).err().unwrap_or_default();
-        assert!(refused.starts_with("a:2: not UTF-8"), "{refused}");
+        let refused = lines(b"PK\x03\x04", 8).err().unwrap_or_default();
+        assert!(refused.contains("(unzip); unpack it first"), "{refused}");
+        let refused = lines(b"v\n\x01\xff\n", 8).err().unwrap_or_default();
+        assert!(
+            refused.starts_with("a:2: the file is not text"),
+            "{refused}"
+        );
+    }
+
+    #[test]
+    fn bytes_that_are_no_unicode_are_letters_of_windows() {
+        let read = lines(b"v\n\xb5m\n1\x1a", 8);
+        let wanted = [(1, "v"), (2, "µm"), (3, "1")].map(|(at, text)| (at, text.to_owned()));
+        assert_eq!(read, Ok(wanted.to_vec()));
     }
 }

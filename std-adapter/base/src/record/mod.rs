@@ -1,21 +1,28 @@
 //! Output of runs: numbers as text, files written atomically.
 
 mod atomic;
+mod cells;
 #[doc(hidden)]
 pub mod checkpoint;
+mod dialect;
+mod encoding;
 mod error;
 #[doc(hidden)]
 pub mod frames;
+mod heading;
 mod lines;
+mod log;
 mod number;
 mod read;
 mod seal;
 mod series;
+mod sheet;
 mod snapshot;
 mod table;
 mod target;
 #[doc(hidden)]
 pub mod trajectory;
+mod units;
 mod vtk;
 mod xyz;
 
@@ -24,6 +31,12 @@ pub(crate) use atomic::AtomicFile;
 pub use atomic::{is_unfinished, write_atomically, write_atomically_there, write_atomically_with};
 pub use checkpoint::CheckpointError;
 pub use error::RecordError;
+#[doc(hidden)]
+pub use log::{
+    ColumnChoice, ColumnChoices, DropReason, Log, LogOptionError, LogOptions, LogRole, Look,
+    LookColumn, UnitChoices, log_of_columns, look, look_from, read_log, read_log_from,
+    used_columns,
+};
 #[doc(hidden)]
 pub use number::brief;
 #[doc(hidden)]
@@ -39,6 +52,8 @@ pub use series::{series_csv, write_series};
 pub use snapshot::{ContactRow, Partner, Snapshot, SnapshotError};
 #[doc(hidden)]
 pub use table::{OtherColumns, Rows, TableError};
+#[doc(hidden)]
+pub use units::Dimension;
 #[doc(hidden)]
 pub use vtk::{contacts_vtp, particles_vtp};
 #[doc(hidden)]

@@ -1,11 +1,17 @@
-//! Tables of comma-separated values, read row by row.
+//! Tables of numbers, read row by row.
 //!
-//! The first line names the columns, which come in any order. Blank lines and lines that begin with `#` are left out;
-//! blanks and quotation marks around a field are not part of it. Every refusal names the file and the line.
+//! A line names the columns, which come in any order. What stands between cells, the decimal mark and lines before the
+//! header are found from the first lines. Blank lines and lines that begin with `#` are left out;
+//! blanks and quotation marks around a cell are not part of it. Every refusal names the file and the line.
 
+use super::cells::Decimal;
+use super::dialect::WordsBelow;
+use super::heading::Heading;
 use super::lines::Lines;
-use crate::scene::finite_number;
-use std::io::{self, BufRead};
+use super::log::{LogOptions, rename};
+use super::sheet::Sheet;
+use super::units::any_unit;
+use std::io::BufRead;
 use std::path::Path;
 
 /// A table that cannot be read.
@@ -29,6 +35,14 @@ pub enum TableError {
         /// What is wrong, and what would be valid.
         reason: String,
     },
+    /// The file as a whole is wrong, or what was asked of it.
+    #[error("{file}: {reason}")]
+    Whole {
+        /// Name of the file.
+        file: String,
+        /// What is wrong, and what would be valid.
+        reason: String,
+    },
 }
 
 /// Columns beside those that are wanted.
@@ -43,11 +57,11 @@ pub enum OtherColumns {
 /// The rows of a table, one after the other: no more than one line is held in memory.
 #[allow(missing_debug_implementations)] // Sources have none.
 pub struct Rows<'a> {
-    lines: Lines<'a>,
+    sheet: Sheet<'a>,
     /// Names of the wanted columns, in the order of a row.
     names: &'static [&'static str],
-    /// Place of each of them in a line.
-    places: Vec<usize>,
+    /// Place of each of them in a line, and the size of its unit.
+    places: Vec<(usize, f64)>,
     /// All columns of the table.
     header: Vec<String>,
     /// The fields of the row read last that are words, in the order of the names.
@@ -60,20 +74,36 @@ impl<'a> Rows<'a> {
     /// file with this header must have, and it may have no others.
     pub fn open(
         path: &Path,
-        choose: impl FnOnce(&[&str]) -> &'static [&'static str],
+        choose: impl FnMut(&[&str]) -> &'static [&'static str],
     ) -> Result<Self, TableError> {
-        Self::with(Lines::open(path)?, OtherColumns::Refused, choose)
+        Self::with(
+            Lines::open(path)?,
+            OtherColumns::Refused,
+            &LogOptions::default(),
+            choose,
+        )
     }
 
     /// The same of a file that a command line names: `-` is standard input.
     pub fn asked_for(
         path: &Path,
-        choose: impl FnOnce(&[&str]) -> &'static [&'static str],
+        choose: impl FnMut(&[&str]) -> &'static [&'static str],
     ) -> Result<Self, TableError> {
-        if path == Path::new("-") {
-            return Self::of(path, io::stdin().lock(), OtherColumns::Refused, choose);
-        }
-        Self::open(path, choose)
+        Self::with_options(path, &LogOptions::default(), choose)
+    }
+
+    /// The same, with what a user says of columns and units, whose roles are the names of the columns. Where columns are
+    /// named, the file may have others.
+    pub fn with_options(
+        path: &Path,
+        options: &LogOptions,
+        choose: impl FnMut(&[&str]) -> &'static [&'static str],
+    ) -> Result<Self, TableError> {
+        let others = match options.columns.0.is_empty() {
+            true => OtherColumns::Refused,
+            false => OtherColumns::Ignored,
+        };
+        Self::with(Lines::asked_for(path)?, others, options, choose)
     }
 
     /// The same of an open source with this name.
@@ -81,25 +111,69 @@ impl<'a> Rows<'a> {
         name: &Path,
         source: impl BufRead + 'a,
         others: OtherColumns,
-        choose: impl FnOnce(&[&str]) -> &'static [&'static str],
+        choose: impl FnMut(&[&str]) -> &'static [&'static str],
     ) -> Result<Self, TableError> {
-        Self::with(Lines::of(name, Box::new(source)), others, choose)
+        Self::with(
+            Lines::of(name, Box::new(source)),
+            others,
+            &LogOptions::default(),
+            choose,
+        )
     }
 
     fn with(
-        mut lines: Lines<'a>,
+        lines: Lines<'a>,
         others: OtherColumns,
-        choose: impl FnOnce(&[&str]) -> &'static [&'static str],
+        options: &LogOptions,
+        mut choose: impl FnMut(&[&str]) -> &'static [&'static str],
     ) -> Result<Self, TableError> {
-        let header = lines.next()?.unwrap_or_default().to_owned();
-        let header: Vec<&str> = fields(&header).collect();
-        let names = choose(&header);
-        let places = places(&header, names, others).map_err(|reason| lines.refusal(&reason))?;
+        let mut known = |header: &[&str]| {
+            let headings: Vec<Heading> = header.iter().map(|text| Heading::of(text)).collect();
+            let header = both(headings.iter());
+            let names = choose(&header);
+            let is_wanted = |name: &&&str| header.contains(*name);
+            names.iter().filter(is_wanted).count() + options.named_in(&headings)
+        };
+        let mut sheet = Sheet::open(lines, options.skip, WordsBelow::Rows, &mut known)?;
+        let at = sheet.header_line();
+        if sheet.headings.is_empty() && options.columns.0.is_empty() {
+            // The first line is taken for a header that misses the names.
+            let first = if sheet.advance()? { sheet.text() } else { "" };
+            sheet.headings = sheet
+                .dialect
+                .delimiter
+                .cells(first)
+                .map(Heading::of)
+                .collect();
+        }
+        let renamed = rename(&mut sheet.headings, sheet.width, options);
+        renamed.map_err(|reason| sheet.refusal_at(at, &reason))?;
+        let names = choose(&both(sheet.headings.iter()));
+        let header: Vec<&str> = sheet
+            .headings
+            .iter()
+            .map(|heading| named(heading, names))
+            .collect();
+        let refused = |reason: String| sheet.refusal_at(at, &reason);
+        let places = places(&header, names, others).map_err(refused)?;
+        let has_units = sheet.units_line().is_some();
+        let sized = places.into_iter().map(|place| {
+            let heading = sheet.headings.get(place);
+            // An ending such as _deg of a wanted name is part of it.
+            let is_apart = |heading: &&Heading| {
+                has_units || heading.is_negated || !names.contains(&&*heading.text)
+            };
+            let heading = heading.filter(is_apart);
+            let size = heading.map_or(Ok(1.0), size).map_err(refused)?;
+            Ok((place, size))
+        });
+        let places = sized.collect::<Result<Vec<_>, TableError>>()?;
+        let header = header.into_iter().map(Into::into).collect();
         Ok(Self {
-            lines,
+            sheet,
             names,
             places,
-            header: header.into_iter().map(Into::into).collect(),
+            header,
             words: Vec::new(),
             count: 0,
         })
@@ -108,10 +182,10 @@ impl<'a> Rows<'a> {
     /// Reads the next row into `row`, a number for each of the first names; the other columns are words. Its line,
     /// or none at the end.
     pub fn next(&mut self, row: &mut [f64]) -> Result<Option<u64>, TableError> {
-        let Some(line) = self.lines.next()? else {
+        if !self.sheet.advance()? {
             return match self.count {
-                0 => Err(self.lines.refusal_at(
-                    self.lines.number() + 1,
+                0 => Err(self.sheet.refusal_at(
+                    self.sheet.number() + 1,
                     &format!(
                         "no rows; give one line of {} for each",
                         self.names.join(",")
@@ -119,11 +193,14 @@ impl<'a> Rows<'a> {
                 )),
                 _ => Ok(None),
             };
-        };
+        }
+        let (dialect, line) = (self.sheet.dialect, self.sheet.text());
         self.words.clear();
-        let count = fields(line).count();
+        let cells = || dialect.delimiter.cells(line);
+        let count = cells().count();
         let filled = if count == self.header.len() {
-            fill(line, self.names, &self.places, row, &mut self.words)
+            let target = (&mut *row, &mut self.words);
+            fill(cells(), dialect.decimal, (self.names, &self.places), target)
         } else {
             Err(format!(
                 "{count} columns instead of {}; give {}",
@@ -131,9 +208,9 @@ impl<'a> Rows<'a> {
                 self.header.join(",")
             ))
         };
-        filled.map_err(|reason| self.lines.refusal(&reason))?;
+        filled.map_err(|reason| self.sheet.refusal(&reason))?;
         self.count += 1;
-        Ok(Some(self.lines.number()))
+        Ok(Some(self.sheet.number()))
     }
 
     /// All rows of numbers, at most so many.
@@ -155,7 +232,7 @@ impl<'a> Rows<'a> {
 
     /// The refusal of what stands in the line that was read last.
     pub fn refusal(&self, reason: &str) -> TableError {
-        self.lines.refusal(reason)
+        self.sheet.refusal(reason)
     }
 }
 
@@ -168,6 +245,9 @@ fn places(header: &[&str], names: &[&str], others: OtherColumns) -> Result<Vec<u
     });
     let found = found.collect::<Result<Vec<usize>, String>>()?;
     for (at, head) in header.iter().enumerate() {
+        if head.is_empty() {
+            continue;
+        }
         if header[..at].contains(head) {
             return Err(format!(
                 "column `{head}` occurs twice; the header must be {wanted}"
@@ -183,20 +263,21 @@ fn places(header: &[&str], names: &[&str], others: OtherColumns) -> Result<Vec<u
 }
 
 /// The numbers of a line in the order of the names, and then its words.
-fn fill(
-    line: &str,
-    names: &[&str],
-    places: &[usize],
-    row: &mut [f64],
-    words: &mut Vec<String>,
+fn fill<'a>(
+    cells: impl Iterator<Item = &'a str>,
+    decimal: Decimal,
+    (names, places): (&[&str], &[(usize, f64)]),
+    (row, words): (&mut [f64], &mut Vec<String>),
 ) -> Result<(), String> {
     words.resize(names.len().saturating_sub(row.len()), String::new());
-    for (place, text) in fields(line).enumerate() {
-        let Some(at) = places.iter().position(|known| *known == place) else {
+    for (place, text) in cells.enumerate() {
+        let Some(at) = places.iter().position(|(known, _)| *known == place) else {
             continue;
         };
+        let size = places.get(at).map_or(1.0, |(_, size)| *size);
         if let (Some(value), Some(name)) = (row.get_mut(at), names.get(at)) {
-            *value = finite_number(text).map_err(|cure| format!("{name} is `{text}`; {cure}"))?;
+            let number = decimal.finite(text);
+            *value = size * number.map_err(|cure| format!("{name} is `{text}`; {cure}"))?;
         } else if let Some(word) = words.get_mut(at - row.len()) {
             word.push_str(text);
         }
@@ -204,31 +285,39 @@ fn fill(
     Ok(())
 }
 
-/// The fields of a line without the blanks and the quotation marks around them.
-fn fields(line: &str) -> impl Iterator<Item = &str> {
-    let mut is_quoted = false;
-    let fields = line.split(move |letter| {
-        is_quoted ^= letter == '"';
-        letter == ',' && !is_quoted
-    });
-    fields.map(|field| {
-        let field = field.trim();
-        let inside = field
-            .strip_prefix('"')
-            .and_then(|rest| rest.strip_suffix('"'));
-        inside.map_or(field, str::trim)
+/// Texts of headings, and their names without units.
+fn both<'a>(headings: impl Iterator<Item = &'a Heading>) -> Vec<&'a str> {
+    headings
+        .flat_map(|heading| [&*heading.text, &*heading.name])
+        .collect()
+}
+
+/// The name of a column: without its unit if it is wanted so.
+fn named<'a>(heading: &'a Heading, names: &[&str]) -> &'a str {
+    let is_wanted = |name: &str| names.contains(&name);
+    match !is_wanted(&heading.text) && is_wanted(&heading.name) {
+        true => &heading.name,
+        false => &heading.text,
+    }
+}
+
+/// Size of the unit of a heading in SI.
+fn size(heading: &Heading) -> Result<f64, String> {
+    let sign = if heading.is_negated { -1.0 } else { 1.0 };
+    let Some(unit) = &heading.unit else {
+        return Ok(sign);
+    };
+    any_unit(unit).map(|(_, size)| sign * size).ok_or_else(|| {
+        format!(
+            "the unit `{unit}` of column `{}` is not known; give SI units, or no unit",
+            heading.text
+        )
     })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn fields_are_freed_of_blanks_and_quotation_marks() {
-        let all: Vec<&str> = fields(" 1 ,\"2\",\"a,b\", \" 3\" ,").collect();
-        assert_eq!(all, ["1", "2", "a,b", "3", ""]);
-    }
 
     #[test]
     fn columns_come_in_any_order_and_faults_are_named_by_line() {
@@ -276,6 +365,101 @@ mod tests {
         ] {
             assert_eq!(read(text), Err(reason.to_owned()), "{text:?}");
         }
+    }
+
+    #[test]
+    fn tables_of_other_dialects_and_units_are_the_same_tables() {
+        let read = |text: &str| {
+            let columns: &'static [&'static str] = &["x", "y_deg"];
+            let rows = Rows::of(
+                Path::new("feet.csv"),
+                text.as_bytes(),
+                OtherColumns::Refused,
+                |_| columns,
+            );
+            rows.and_then(|rows| rows.all(9))
+                .map_err(|refusal| refusal.to_string())
+        };
+        for text in [
+            "y_deg;x\n1,5;2\n-3;4e-1\n",
+            "made by hand\nx [mm]\ty_deg\n2000\t1.5\n400\t-3\n",
+            "x y_deg\n2 1.5\n0.4 -3\n",
+            "x,y_deg\nmm,-\n2000,1.5\n400,-3\n",
+            "# x,y_deg\n2,1.5\n0.4,-3\n",
+        ] {
+            assert_eq!(read(text), Ok(vec![[2.0, 1.5], [0.4, -3.0]]), "{text}");
+        }
+        for (text, reason) in [
+            (
+                "x;y_deg\n1,5;\n",
+                "feet.csv:2: y_deg is ``; give a number such as 0.5 or 1e-3",
+            ),
+            (
+                "x [yard],y_deg\n1,2\n",
+                "feet.csv:1: the unit `yard` of column `x [yard]` is not known; give SI units, or no unit",
+            ),
+            (
+                "1;2\n3;4\n",
+                "feet.csv:1: column `x` is missing; the header must be x,y_deg",
+            ),
+        ] {
+            assert_eq!(read(text), Err(reason.to_owned()), "{text:?}");
+        }
+    }
+
+    #[test]
+    fn columns_and_units_are_as_the_options_say() -> Result<(), Box<dyn std::error::Error>> {
+        let folder = tempfile::tempdir()?;
+        let file = folder.path().join("pushes.txt");
+        let read = |text: &str,
+                    columns: &str,
+                    units: &str,
+                    skip|
+         -> Result<_, Box<dyn std::error::Error>> {
+            std::fs::write(&file, text)?;
+            let mut options = LogOptions {
+                skip,
+                ..LogOptions::default()
+            };
+            if !columns.is_empty() {
+                options.columns = columns.parse()?;
+            }
+            if !units.is_empty() {
+                options.units = units.parse()?;
+            }
+            let rows = Rows::with_options(&file, &options, |_| &["fx", "fy"]);
+            let told = |refusal: TableError| refusal.to_string();
+            Ok(rows.and_then(|rows| rows.all::<2>(9)).map_err(told))
+        };
+        for (text, columns, units, skip) in [
+            ("fy;n;fx\n1,5;7;2\n", "fx=fx", "", 0),
+            ("a;b [mN]\n2;1500\n", "fx=a,fy=b", "", 0),
+            ("fy,fx\n2,1.5\n", "fx=fy,fy=fx", "", 0),
+            ("9 9 9\n-0.002 0 1.5\n", "fx=-1,fy=3", "fx=kN", 1),
+        ] {
+            assert_eq!(
+                read(text, columns, units, skip)?,
+                Ok(vec![[2.0, 1.5]]),
+                "{text}"
+            );
+        }
+        let refused = read("fx,fy\n1,2\n", "", "fx=yard", 0)?
+            .err()
+            .unwrap_or_default();
+        assert!(
+            refused.ends_with("pushes.txt:1: --units fx: the unit `yard` is not known"),
+            "{refused}"
+        );
+        let refused = read("fx,fy\n1,2\n", "fx=Fx2", "", 0)?
+            .err()
+            .unwrap_or_default();
+        assert!(
+            refused.contains(
+                ":1: --columns fx: there is no column `Fx2`; the columns are 1 `fx`, 2 `fy`"
+            ),
+            "{refused}"
+        );
+        Ok(())
     }
 
     #[test]

@@ -28,7 +28,9 @@ pub(super) fn read(mut rows: Rows<'_>) -> Result<Vec<[f64; 2]>, TableError> {
 /// The refusal with its place.
 pub(super) fn refused(error: TableError) -> SettingError {
     match error {
-        TableError::Access { file, reason } => SettingError::File { file, reason },
+        TableError::Access { file, reason } | TableError::Whole { file, reason } => {
+            SettingError::File { file, reason }
+        }
         TableError::Line { file, line, reason } => SettingError::Line {
             file,
             line: usize::try_from(line).unwrap_or(usize::MAX),

@@ -1,0 +1,67 @@
+//! Options for logs as machines write them, and the first look at one.
+
+use crate::failure::Failure;
+use std::path::Path;
+use tribos::record::{ColumnChoices, LogOptions, LogRole, UnitChoices, look};
+
+/// Columns of measurements that a fit may read; those that it needs are marked.
+pub const ROLES: [LogRole; 7] = [
+    LogRole::TIME,
+    LogRole::VELOCITY.needed(),
+    LogRole::FRICTION.needed(),
+    LogRole::DEVIATION,
+    LogRole::POSITION,
+    LogRole::ACCELERATION,
+    LogRole::LOAD,
+];
+
+/// How a log is to be read.
+#[derive(Clone, Debug, Default, clap::Args)]
+pub struct LogArguments {
+    /// Columns by name or number: t=Time,v="v [mm/s]",f=-3; a minus changes the sign, `none` leaves one out. Without it
+    /// the names of the columns decide, in English and German.
+    #[arg(long, value_name = "NAME=COLUMN,…")]
+    columns: Option<ColumnChoices>,
+    /// Units of columns, before those in the file: v=mm/s,f=mN.
+    #[arg(long, value_name = "NAME=UNIT,…")]
+    units: Option<UnitChoices>,
+    /// Leave out so many lines at the beginning of the file.
+    #[arg(long, value_name = "N", default_value = "0", hide_default_value = true)]
+    skip: u64,
+    /// Show what is understood of the file, its columns, their ranges and the first rows, and fit nothing.
+    #[arg(long)]
+    pub look: bool,
+    /// Form of what is shown.
+    #[arg(long, value_enum, default_value = "text", requires = "look")]
+    pub format: Format,
+}
+
+/// Form of what is printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Format {
+    /// Lines for people.
+    #[default]
+    Text,
+    /// A JSON object.
+    Json,
+}
+
+impl LogArguments {
+    /// The options for the reader.
+    pub fn options(&self) -> LogOptions {
+        LogOptions {
+            columns: self.columns.clone().unwrap_or_default(),
+            units: self.units.clone().unwrap_or_default(),
+            skip: self.skip,
+        }
+    }
+
+    /// Prints the first look at a file.
+    pub fn show(&self, file: &Path, roles: &[LogRole]) -> Result<(), Failure> {
+        let seen = look(file, roles, &self.options())?;
+        crate::command::print(&match self.format {
+            Format::Text => seen.text(),
+            Format::Json => format!("{:#}\n", seen.json()),
+        })
+    }
+}
