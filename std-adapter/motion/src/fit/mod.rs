@@ -47,6 +47,7 @@ mod sample;
 mod search;
 mod standard_errors;
 pub mod support;
+pub mod track;
 mod unknowns;
 
 pub use data::Measurements;
