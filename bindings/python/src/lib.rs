@@ -27,6 +27,7 @@ mod slide;
 mod state;
 mod surface;
 mod threads;
+mod track;
 mod vectors;
 
 use pyo3::prelude::*;
@@ -82,6 +83,8 @@ mod _native {
     use surface::LimitSurface;
     #[pymodule_export]
     use threads::{num_threads, set_num_threads};
+    #[pymodule_export]
+    use track::fit_track;
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

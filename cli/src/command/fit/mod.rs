@@ -5,6 +5,7 @@ mod plot;
 mod progress;
 mod support;
 mod table;
+mod track;
 
 use crate::failure::Failure;
 use progress::Progress;
@@ -37,22 +38,24 @@ use tribos_report::image;
 pub struct Arguments {
     /// Measurements, a CSV file with the columns v,f or t,v,f and perhaps sigma; `-` for standard
     /// input.
-    #[arg(required_unless_present = "support")]
+    #[arg(required_unless_present_any = ["support", "track"])]
     data: Option<PathBuf>,
     /// The law.
-    #[arg(long, required_unless_present = "support", value_parser = super::number::named::<FitLaw, 5>(
+    #[arg(long, required_unless_present_any = ["support", "track"], value_parser = super::number::named::<FitLaw, 5>(
         FitLaw::ALL.map(|(_, name, help)| (name, help)),
     ))]
     law: Option<FitLaw>,
     /// Measured pushes, a CSV file with the columns dx,dy,dtheta,fx,fy,torque (`-` for standard input).
     #[arg(long, value_name = "PUSHES.csv", conflicts_with_all = ["data", "law", "load", "fixed", "starts"])]
     support: Option<PathBuf>,
-    /// The support under the pushed body, if it is known: box:AxB, polygon:FILE, bar:L, mesh:FILE or points:FILE (weights are loads), in the frame of the pushes.
-    #[arg(long, requires = "support")]
+    /// The support under the pushed body, if it is known, or the patch of the filmed one (disk unless it is given): disk, ring, punch, hertz, box:AxB, polygon:FILE, bar:L, mesh:FILE or points:FILE (weights are loads), in the frame of the pushes.
+    #[arg(long)]
     patch: Option<Patch>,
     /// Load [N] at which forces were measured; friction is divided by it.
     #[arg(long, value_name = "N", value_parser = super::number::positive)]
     load: Option<f64>,
+    #[command(flatten)]
+    film: track::Options,
     /// Keep a parameter at a value; may be repeated.
     #[arg(long = "fix", value_name = "NAME=VALUE", value_parser = fixed)]
     fixed: Vec<(String, f64)>,
@@ -73,6 +76,7 @@ Examples:
   tribos fit --law power ice.csv
   tribos fit --law lugre pull.csv --out out/joint          # t,v,f: bristles too
   tribos fit --law rate-state steps.csv --fix v0=1e-6 --fix eta=0
+  tribos fit --track puck.csv --units x=mm,y=mm,angle=deg --from 0.4 --out out/puck
   tribos fit --support scenes/data/pushes.csv --patch box:0.2x0.1 --out out/pushes
 bearing.csv:
   v,f,sigma
@@ -105,6 +109,20 @@ impl Arguments {
     pub fn execute(self) -> Result<(), Failure> {
         if let Some(pushes) = &self.support {
             return support::execute(pushes, self.patch.as_ref(), self.out.as_deref());
+        }
+        if let Some(film) = &self.film.track {
+            self.fixed_once()?;
+            let common = track::Common {
+                law: self.law,
+                patch: self.patch.as_ref(),
+                fixed: &self.fixed,
+                starts: self.starts.get(),
+                out: self.out.as_deref(),
+            };
+            return self.film.execute(film, &common);
+        }
+        if self.patch.is_some() {
+            return Err(Failure::input("--patch: give it with --support or --track"));
         }
         let (Some(data), Some(law)) = (&self.data, self.law) else {
             return Err(Failure::input("give measurements and --law, or --support"));

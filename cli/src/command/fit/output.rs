@@ -276,7 +276,7 @@ fn toml_number(x: f64) -> String {
 }
 
 /// A value that has no error.
-fn plain(value: f64) -> String {
+pub fn plain(value: f64) -> String {
     if value == 0.0 {
         "0".into()
     } else {
@@ -285,7 +285,7 @@ fn plain(value: f64) -> String {
 }
 
 /// Value and error with two digits of the error.
-fn value_with_error(value: f64, error: f64) -> (String, String) {
+pub fn value_with_error(value: f64, error: f64) -> (String, String) {
     /// Values that are written without a power of ten.
     const EVERYDAY: std::ops::Range<f64> = 1e-3..1e5;
     /// f64 has no more digits.

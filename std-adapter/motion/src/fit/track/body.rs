@@ -2,13 +2,14 @@
 
 use super::super::FitError;
 use super::law::TrackLaw;
+use super::march::{Place, march};
 use crate::MotionError;
 use crate::slide::planar::{
-    Gradient, Launch, PlanarSimulation, PlanarState, Plate, Resistance, TallBody,
+    Launch, PlanarSimulation, PlanarState, Plate, Resistance,
 };
 use std::cell::RefCell;
 use std::rc::Rc;
-use tribos_core::slider::{Slider, SliderParameters, SliderState};
+use tribos_core::coupling::{ReducedFriction, ReducedWrench};
 use tribos_friction::{AnyFriction, Flat, Patch, RoundPower, upright};
 
 /// Relative accuracy of the steps of bodies whose motion is not followed by the slider.
@@ -17,17 +18,6 @@ const STEP_ACCURACY: f64 = 1e-9;
 const STOP_FRACTION: f64 = 1e-6;
 /// Times that agree within this fraction are the same.
 const SAME_TIME: f64 = 1e-13;
-
-/// The body at one frame, in the coordinates of its launch.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Place {
-    /// Way along the launch, or along the axes of a body with edges, in m.
-    pub way: [f64; 2],
-    /// Angle turned; of a round body times its radius, in m.
-    pub turned: f64,
-    /// Speed of the centre, in m/s.
-    pub speed: f64,
-}
 
 /// A body on the floor.
 #[derive(Debug)]
@@ -110,29 +100,38 @@ impl Body {
     }
 
     /// Places of a round body that is launched with a speed and a rim speed, both ≥ 0.
-    pub fn roll_out(&self, law: &[f64], [speed, rim]: [f64; 2], times: &[f64]) -> Option<Vec<Place>> {
-        match self.law {
-            TrackLaw::Coulomb => self.slide([law[0], 0.0], [speed, rim], times),
-            TrackLaw::Power => self.slide([law[0], law[1]], [speed, rim], times),
-            TrackLaw::Viscous => {
+    pub fn roll_out(&self, law: &[f64], speeds: [f64; 2], times: &[f64]) -> Option<Vec<Place>> {
+        let march = |wrench: &dyn Fn(f64, f64) -> ReducedWrench<f64>| {
+            march(speeds, times, &|[v, w]| {
+                let at = wrench(v, w);
+                [at.force, at.torque / self.inertia_ratio].map(|rate| self.gravity * rate)
+            })
+        };
+        match (self.law, law) {
+            (TrackLaw::Coulomb, &[mu, ..]) => {
                 let dry = self.coupling(0.0)?;
-                let order = self.patch.pressure()?.order();
-                let body = Viscous {
-                    dry,
-                    decelerations: [law[0] * self.gravity, law[1] * self.gravity],
-                    // Mean of r² under the pressure (1 − r²)^q.
-                    mean_square: 1.0 / (order + 2.0),
-                    inertia_ratio: self.inertia_ratio,
-                };
-                straight(&body, [speed, rim], times)
+                march(&|v, w| scaled(dry.reduced_wrench(v, w), mu))
             }
-            TrackLaw::Stribeck => {
+            (TrackLaw::Power, &[gamma, alpha, ..]) => {
+                let power = self.coupling(alpha)?;
+                march(&|v, w| scaled(power.reduced_wrench(v, w), gamma))
+            }
+            (TrackLaw::Viscous, &[mu, k, ..]) => {
+                let dry = self.coupling(0.0)?;
+                // Mean of r² under the pressure (1 − r²)^q: the torque of k v is k w times this.
+                let mean_square = 1.0 / (self.patch.pressure()?.order() + 2.0);
+                march(&|v, w| {
+                    let dry = scaled(dry.reduced_wrench(v, w), mu);
+                    ReducedWrench {
+                        force: dry.force + k * v,
+                        torque: dry.torque + k * mean_square * w,
+                    }
+                })
+            }
+            _ => {
                 let law = self.law.at(law)?;
                 let foot = AnyFriction::new(&self.patch, &law, None).ok()?;
-                let foot = foot.with_radius(1.0).ok()?;
-                let held = [self.gravity, self.inertia_ratio];
-                let body = TallBody::new(foot, 0.0, Gradient::AllRound, held).ok()?;
-                straight(&body, [speed, rim], times)
+                march(&|v, w| foot.reduced_wrench(v, w))
             }
         }
     }
@@ -146,37 +145,6 @@ impl Body {
         let profile: Rc<dyn RoundPower<f64>> = Rc::from(upright(&self.patch, alpha).ok()?);
         *kept = Some(Coupling(alpha, Rc::clone(&profile)));
         Some(profile)
-    }
-
-    /// The same under γ v^α: the slider's own steps from frame to frame.
-    fn slide(
-        &self,
-        [coefficient, alpha]: [f64; 2],
-        [speed, rim]: [f64; 2],
-        times: &[f64],
-    ) -> Option<Vec<Place>> {
-        let profile = self.coupling(alpha)?;
-        let parameters = SliderParameters {
-            deceleration: coefficient * self.gravity,
-            radius: 1.0,
-            inertia_ratio: self.inertia_ratio,
-        };
-        let slider = Slider::new(&*profile, parameters).ok()?;
-        let mut state = SliderState::launched(speed, rim);
-        let mut places = Vec::with_capacity(times.len());
-        for time in times {
-            state = slider.advance(&state, time - state.time).motion;
-            let is_known = state.speed.is_finite() && state.distance.is_finite();
-            if !is_known {
-                return None;
-            }
-            places.push(Place {
-                way: [state.distance, 0.0],
-                turned: state.angle,
-                speed: state.speed,
-            });
-        }
-        Some(places)
     }
 
     /// Places of a plate under Coulomb friction.
@@ -193,15 +161,14 @@ impl Body {
     }
 }
 
-/// Places of a round body of radius 1 that slides straight on.
-fn straight<B: Resistance>(body: &B, [speed, rim]: [f64; 2], times: &[f64]) -> Option<Vec<Place>> {
-    let launch = Launch {
-        velocity: [speed, 0.0],
-        spin: rim,
-    };
-    follow(&Coarse(body), &launch, times)
+fn scaled(wrench: ReducedWrench<f64>, factor: f64) -> ReducedWrench<f64> {
+    ReducedWrench {
+        force: factor * wrench.force,
+        torque: factor * wrench.torque,
+    }
 }
 
+/// A resistance whose motion is followed no finer than a film shows, at the times of the frames.
 fn follow<B: Resistance>(body: &B, launch: &Launch, times: &[f64]) -> Option<Vec<Place>> {
     let place = |point: &PlanarState| Place {
         way: point.position,
@@ -257,59 +224,5 @@ impl<B: Resistance> Resistance for Coarse<B> {
     }
     fn accuracy(&self) -> f64 {
         self.0.accuracy().max(STEP_ACCURACY)
-    }
-}
-
-impl<B: Resistance> Resistance for &B {
-    fn deceleration(&self, velocity: [f64; 3]) -> [f64; 3] {
-        (**self).deceleration(velocity)
-    }
-    fn exponent(&self) -> f64 {
-        (**self).exponent()
-    }
-    fn inertia_ratio(&self) -> f64 {
-        (**self).inertia_ratio()
-    }
-    fn radius(&self) -> f64 {
-        (**self).radius()
-    }
-    fn accuracy(&self) -> f64 {
-        (**self).accuracy()
-    }
-}
-
-/// Coulomb friction with a part that grows with the speed, on a round patch of radius 1: the wrench of μ + k v is the
-/// sum of both.
-struct Viscous {
-    dry: Rc<dyn RoundPower<f64>>,
-    /// μ g and k g.
-    decelerations: [f64; 2],
-    mean_square: f64,
-    inertia_ratio: f64,
-}
-
-impl std::fmt::Debug for Viscous {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Viscous").finish_non_exhaustive()
-    }
-}
-
-impl Resistance for Viscous {
-    fn deceleration(&self, [x, y, rim]: [f64; 3]) -> [f64; 3] {
-        let speed = libm::hypot(x, y);
-        let dry = self.dry.reduced_wrench(speed, rim.abs());
-        let [mu, k] = self.decelerations;
-        let share = if speed > 0.0 { mu * dry.force / speed } else { 0.0 };
-        let torque = (mu * dry.torque).copysign(rim) + k * self.mean_square * rim;
-        [(share + k) * x, (share + k) * y, torque / self.inertia_ratio]
-    }
-    fn exponent(&self) -> f64 {
-        0.0
-    }
-    fn inertia_ratio(&self) -> f64 {
-        self.inertia_ratio
-    }
-    fn radius(&self) -> f64 {
-        1.0
     }
 }

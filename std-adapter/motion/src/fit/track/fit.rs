@@ -25,8 +25,10 @@ const MOST_ROUNDS: usize = 6;
 const SETTLED: f64 = 0.01;
 /// Extent over noise below which a body rests: white noise of a thousand readings reaches 7.
 const RESTING: f64 = 9.0;
-/// Costs that differ relatively by less belong to the same minimum.
-const SAME: f64 = 1e-6;
+/// Sums of squares that differ by less than this many variances of a residual belong to the same minimum.
+const SAME: f64 = 0.01;
+/// Shares of the extent and of the turn that the first search takes for noise at least: coarse sums have fewer minima.
+const COARSE: f64 = 0.02;
 /// Minima that are compared at last.
 const MOST_MINIMA: usize = 4;
 /// Variances of a residual by which a minimum of the first search may lie above the best to be compared.
@@ -66,19 +68,16 @@ pub(super) fn fit(film: &Track, options: &TrackOptions) -> Result<TrackFit, FitE
     if points <= free {
         return Err(FitError::TooFew { points, free });
     }
-    let minima = from_all_starts(&film, options.starts)?;
-    let (starts, at_best) = (minima.len(), agreeing(&minima));
-    let settled = settle(&mut film, distinct(&minima, points - free), options)?;
+    let minima = from_all_starts(&mut film, &track, options.starts)?;
+    let distinct = Distinct::new(&minima, points - free);
+    let (starts, at_best) = (minima.len(), distinct.at_best);
+    let settled = settle(&mut film, distinct.places, options)?;
     result(&film, &track, &settled, [starts, at_best], options, radius)
 }
 
 /// Refuses frames in which nothing moves.
 fn refuse_rest(track: &Track, noise: Noise) -> Result<(), FitError> {
-    let turned = track.angle().map_or(0.0, |angle| {
-        let ends = angle.first().zip(angle.last());
-        ends.map_or(0.0, |(first, last)| (last - first).abs())
-    });
-    let rests = track.extent() <= RESTING * noise.position && turned <= RESTING * noise.angle;
+    let rests = track.extent() <= RESTING * noise.position && turned(track) <= RESTING * noise.angle;
     // Without third differences the noise is an assumption.
     const FEWEST: usize = 4;
     if track.extent() == 0.0 || (rests && track.times().len() >= FEWEST) {
@@ -89,45 +88,60 @@ fn refuse_rest(track: &Track, noise: Noise) -> Result<(), FitError> {
     Ok(())
 }
 
-/// Minima of the robust sum by rising cost.
-fn from_all_starts(film: &Weighted<'_>, starts: usize) -> Result<Vec<Minimum>, FitError> {
-    let unknowns = &film.unknowns;
-    let ends = (0..starts.max(1)).filter_map(|index| {
+/// Minima of the robust sum by rising cost: first under a coarse noise, then under that of the film.
+fn from_all_starts(
+    film: &mut Weighted<'_>,
+    track: &Track,
+    starts: usize,
+) -> Result<Vec<Minimum>, FitError> {
+    let noise = film.noise;
+    film.noise = Noise {
+        position: noise.position.max(COARSE * track.extent()),
+        angle: noise.angle.max(COARSE * turned(track)),
+    };
+    let places = (0..starts.max(1)).map(|index| {
         let mut values = film.model.start(&halton(index, SPREAD));
-        for (value, fixed) in values.iter_mut().zip(&unknowns.fixed) {
+        for (value, fixed) in values.iter_mut().zip(&film.unknowns.fixed) {
             *value = fixed.unwrap_or(*value);
         }
-        film.minimum(unknowns, &unknowns.coordinates(&values))
+        film.unknowns.coordinates(&values)
     });
-    let mut ends: Vec<Minimum> = ends.collect();
-    ends.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-    if ends.is_empty() {
-        return Err(FitError::NoStart);
-    }
-    Ok(ends)
+    let coarse = film.minima(&places.collect::<Vec<_>>());
+    film.noise = noise;
+    let places: Vec<Vec<f64>> = coarse.into_iter().map(|end| end.q).collect();
+    let minima = film.minima(&places);
+    if minima.is_empty() { Err(FitError::NoStart) } else { Ok(minima) }
 }
 
-/// Number of minima that are the best.
-fn agreeing(sorted: &[Minimum]) -> usize {
-    let least = sorted.first().map_or(0.0, |best| best.cost);
-    let same = |end: &&Minimum| end.cost <= least * (1.0 + SAME) + f64::MIN_POSITIVE;
-    sorted.iter().filter(same).count()
+/// Angle from the first frame to the last, in rad.
+fn turned(track: &Track) -> f64 {
+    let ends = track.angle().and_then(|angle| angle.first().zip(angle.last()));
+    ends.map_or(0.0, |(first, last)| (last - first).abs())
 }
 
 /// One of each minimum that the frames hardly distinguish from the best.
-fn distinct(sorted: &[Minimum], freedoms: usize) -> Vec<Vec<f64>> {
-    let least = sorted.first().map_or(0.0, |best| best.cost);
-    let alike = least * (1.0 + ALIKE / freedoms as f64);
-    let mut last = f64::NEG_INFINITY;
-    let mut places = Vec::new();
-    for end in sorted {
-        let is_new = end.cost > last * (1.0 + SAME);
-        if is_new && end.cost <= alike && places.len() < MOST_MINIMA {
-            places.push(end.q.clone());
-            last = end.cost;
+struct Distinct {
+    places: Vec<Vec<f64>>,
+    /// Number of searches that ended at the best.
+    at_best: usize,
+}
+
+impl Distinct {
+    fn new(sorted: &[Minimum], freedoms: usize) -> Self {
+        let least = sorted.first().map_or(0.0, |best| best.cost);
+        let variance = least / freedoms as f64;
+        let mut last = f64::NEG_INFINITY;
+        let (mut places, mut at_best) = (Vec::new(), 0);
+        for end in sorted {
+            let is_new = end.cost > last + SAME * variance;
+            if is_new && end.cost <= least + ALIKE * variance && places.len() < MOST_MINIMA {
+                places.push(end.q.clone());
+                last = end.cost;
+            }
+            at_best += usize::from(end.cost <= least + SAME * variance);
         }
+        Self { places, at_best }
     }
-    places
 }
 
 /// The minima after noise and outliers have settled.
@@ -333,7 +347,7 @@ impl Errors {
         slopes: &DMatrix<f64>,
         variance: f64,
     ) -> Self {
-        let bounds = film.unknowns.bounds();
+        let bounds = film.bounds(&film.unknowns);
         let inside = free(&best.q, &bounds, &gradient(slopes, here));
         let lengths = film.lengths(&film.unknowns);
         let sizes: Vec<f64> = inside.iter().map(|&k| lengths[k].least()).collect();

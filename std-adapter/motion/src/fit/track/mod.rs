@@ -30,6 +30,7 @@ mod body;
 mod film;
 mod fit;
 mod law;
+mod march;
 mod model;
 mod profile;
 mod start;

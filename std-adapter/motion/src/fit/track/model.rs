@@ -1,8 +1,9 @@
 //! A film as a model of least squares: coordinates of all frames from law, radius and launch.
 
 use super::super::parameter::{FitParameter, Model, Range};
-use super::body::{Body, Place};
+use super::body::Body;
 use super::film::Track;
+use super::march::Place;
 use super::start::Guess;
 use crate::slide::Launch;
 use std::cell::RefCell;

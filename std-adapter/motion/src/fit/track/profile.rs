@@ -66,7 +66,7 @@ impl Profile<'_> {
             (false, true) => (wanted * error, OPEN_ERRORS * error),
             (false, false) => (scale * self.from.q[k].abs().max(scale), f64::INFINITY),
         };
-        let [low, high] = self.film.unknowns.bounds()[k];
+        let [low, high] = self.film.bounds(&self.film.unknowns)[k];
         let room = if sign < 0.0 { self.from.q[k] - low } else { high - self.from.q[k] };
         let most = most.min(room);
         let mut near = [0.0, (self.from.cost - self.least).max(0.0).sqrt()];

@@ -113,13 +113,29 @@ impl<'a> Weighted<'a> {
         unknowns.sought.iter().map(length).collect()
     }
 
+    /// Bounds of the coordinates: positive parameters stay within a factor of a thousand of the first guess.
+    pub fn bounds(&self, unknowns: &Unknowns<'_>) -> Vec<[f64; 2]> {
+        /// Logarithm of the factor.
+        const REACH: f64 = 6.907_755_278_982_137;
+        let parameters = self.model.parameters();
+        let first = self.model.start(&[]);
+        let bound = |(&j, own): (&usize, [f64; 2])| match parameters[j].range {
+            Range::Positive => {
+                let middle = libm::log(first[j]);
+                [middle - REACH, middle + REACH]
+            }
+            _ => own,
+        };
+        unknowns.sought.iter().zip(unknowns.bounds()).map(bound).collect()
+    }
+
     /// Searches from a place; `unknowns` may have more parameters fixed than the fit.
     pub fn minimum(&self, unknowns: &Unknowns<'_>, place: &[f64]) -> Option<Minimum> {
         let grain = f64::EPSILON * self.size();
         let problem = Problem {
             residuals: &|q: &[f64]| self.residuals(unknowns, q),
             repair: &|q: &mut [f64]| unknowns.repair(q),
-            bounds: unknowns.bounds(),
+            bounds: self.bounds(unknowns),
             lengths: self.lengths(unknowns),
             floor: grain * grain,
         };
@@ -142,7 +158,7 @@ impl<'a> Weighted<'a> {
         let problem = Problem {
             residuals: &|q: &[f64]| self.residuals(unknowns, q),
             repair: &|_: &mut [f64]| (),
-            bounds: unknowns.bounds(),
+            bounds: self.bounds(unknowns),
             lengths: self.lengths(unknowns),
             floor: 0.0,
         };
