@@ -28,6 +28,7 @@ mod state;
 mod strokes;
 mod surface;
 mod threads;
+mod track;
 mod vectors;
 
 use pyo3::prelude::*;
@@ -85,6 +86,8 @@ mod _native {
     use surface::LimitSurface;
     #[pymodule_export]
     use threads::{num_threads, set_num_threads};
+    #[pymodule_export]
+    use track::fit_track;
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -98,10 +98,9 @@ pub fn words_of(error: &Error) -> ([&'static str; PIECES], Option<f64>) {
             ["the ", parameter, " must be finite and not negative, not "],
             Some(given),
         ),
-        Error::Law(LawError::NotFinite { parameter, given }) => (
-            ["the ", parameter, " must be finite, not "],
-            Some(given),
-        ),
+        Error::Law(LawError::NotFinite { parameter, given }) => {
+            (["the ", parameter, " must be finite, not "], Some(given))
+        }
         Error::Patch(PatchError::Radius { given }) => (
             [
                 "the contact radius must be positive and finite, not ",

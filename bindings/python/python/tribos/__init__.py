@@ -54,6 +54,7 @@ from tribos._strokes import Strokes, strokes
 from tribos._surface import LimitSurface
 from tribos._sweep import cases, run_case, sweep
 from tribos._threads import num_threads, set_num_threads
+from tribos._track import TrackFit, fit_track
 from tribos.scenes import *  # noqa: F403 - the scene of every body
 
 __version__: str = _native.__version__
@@ -103,11 +104,13 @@ __all__ = [
     "Strokes",
     "SupportFit",
     "TorqueLimits",
+    "TrackFit",
     "any_pressure",
     "cases",
     "cd",
     "fit",
     "fit_support",
+    "fit_track",
     "inverse",
     "laws",
     "md",

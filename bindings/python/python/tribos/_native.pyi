@@ -33,6 +33,7 @@ __all__ = [
     "fit_law",
     "fit_laws",
     "fit_support",
+    "fit_track",
     "folder_scene",
     "host",
     "launches",
@@ -70,6 +71,14 @@ def fit_law(
 def fit_laws() -> list[list[str]]: ...
 def fit_support(
     pushes: list[list[float]], patch: Patch | None, loops: list[list[list[float]]]
+) -> dict[str, Any]: ...
+def fit_track(
+    columns: tuple[list[float], list[float], list[float], list[float] | None],
+    law: str,
+    patch: str,
+    fixed: list[tuple[str, float]],
+    surroundings: tuple[float, float, float | None, float | None],
+    choice: tuple[int, float | None, float | None, int],
 ) -> dict[str, Any]: ...
 def launches(
     friction: PowerLawProfile, wanted: dict[str, float | int | None]

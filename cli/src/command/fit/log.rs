@@ -4,17 +4,6 @@ use crate::failure::Failure;
 use std::path::Path;
 use tribos::record::{ColumnChoices, LogOptions, LogRole, UnitChoices, look};
 
-/// Columns of measurements that a fit may read; those that it needs are marked.
-pub const ROLES: [LogRole; 7] = [
-    LogRole::TIME,
-    LogRole::VELOCITY.needed(),
-    LogRole::FRICTION.needed(),
-    LogRole::DEVIATION,
-    LogRole::POSITION,
-    LogRole::ACCELERATION,
-    LogRole::LOAD,
-];
-
 /// How a log is to be read.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub struct LogArguments {
@@ -31,9 +20,6 @@ pub struct LogArguments {
     /// Show what is understood of the file, its columns, their ranges and the first rows, and fit nothing.
     #[arg(long)]
     pub look: bool,
-    /// Form of what is shown.
-    #[arg(long, value_enum, default_value = "text", requires = "look")]
-    pub format: Format,
 }
 
 /// Form of what is printed.
@@ -57,9 +43,9 @@ impl LogArguments {
     }
 
     /// Prints the first look at a file.
-    pub fn show(&self, file: &Path, roles: &[LogRole]) -> Result<(), Failure> {
+    pub fn show(&self, file: &Path, roles: &[LogRole], format: Format) -> Result<(), Failure> {
         let seen = look(file, roles, &self.options())?;
-        crate::command::print(&match self.format {
+        crate::command::print(&match format {
             Format::Text => seen.text(),
             Format::Json => format!("{:#}\n", seen.json()),
         })

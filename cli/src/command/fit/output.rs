@@ -1,18 +1,13 @@
 //! What a fit leaves behind, and what it says.
 
+use super::apparatus::Machine;
 use super::table::Table;
 use crate::command::spool;
 use crate::failure::Failure;
+use serde_json::{Value, json};
 use std::path::Path;
-use tribos::fit::{Estimate, Fit, FitLaw, Uncertainty};
-use tribos::friction::find;
-use tribos::record::{number, series_csv, write_atomically};
-
-/// Correlation beyond which two parameters are hardly told apart.
-const ENTANGLED: f64 = 0.99;
-
-/// Standard deviations, of its own, by which a reduced χ² may exceed 1.
-const BEYOND: f64 = 5.0;
+use tribos::fit::{Estimate, Fit, FitLaw, FittedLaw, Uncertainty};
+use tribos::record::{json_number, number, series_csv, significant, write_atomically};
 
 /// A fit with what it came from.
 #[derive(Clone, Copy, Debug)]
@@ -23,27 +18,30 @@ pub struct Report<'a> {
     pub table: &'a Table,
     /// The result.
     pub fit: &'a Fit,
-    /// Whether friction was divided by the load.
-    pub is_per_load: bool,
+    /// The machine.
+    pub machine: &'a Machine,
 }
 
 impl Report<'_> {
     /// For the person at the terminal.
     pub fn text(&self) -> String {
-        let name = if self.table.is_record() {
-            self.law.over_time()
-        } else {
-            self.law.steady()
-        };
-        let formula = find(name).map_or("", |entry| entry.formula);
-        let mut text = format!("law           {name}: {formula}\n");
+        let mut text = String::new();
+        for line in &self.table.told {
+            text += &format!("read          {line}\n");
+        }
+        let formula = self.law.formula(self.table.is_record());
+        text += &format!("law           {}: {formula}\n", self.law.name());
         for estimate in &self.fit.parameters {
             text += &self.line(estimate);
         }
         text += &self.quality();
-        text += &self.undetermined();
-        text += &self.entangled();
-        text + &format!("as a law      {}\n", self.spec())
+        for caution in &self.fit.cautions {
+            text += &format!("warning       {caution}\n");
+        }
+        match self.spec() {
+            Some(spec) => text + &format!("as a law      {spec}\n"),
+            None => text,
+        }
     }
 
     fn line(&self, estimate: &Estimate) -> String {
@@ -57,16 +55,34 @@ impl Report<'_> {
             }
         };
         let unit = self.unit(parameter.unit);
+        let interval = match &estimate.known {
+            Uncertainty::Fixed | Uncertainty::Undetermined(_) => String::new(),
+            _ => interval(estimate.interval),
+        };
         format!(
-            "{:<13} {value:<14} {how:<14} [{unit}] {}\n",
+            "{:<13} {value:<14} {how:<14} {interval:<23} [{unit}] {}\n",
             parameter.name, parameter.meaning
         )
     }
 
+    /// Whether parameters are per load, as coefficients are: friction was a force at known loads.
+    pub fn is_per_load(&self) -> bool {
+        self.table.data.load().is_some() || self.is_of_coefficient()
+    }
+
+    /// Whether the law is one of a coefficient, whatever its data are.
+    fn is_of_coefficient(&self) -> bool {
+        !self
+            .fit
+            .parameters
+            .iter()
+            .any(|estimate| estimate.parameter.unit == "N")
+    }
+
     /// The unit, per load if friction is.
     fn unit(&self, unit: &'static str) -> &'static str {
-        match (self.is_per_load, unit) {
-            (true, "N") => "-",
+        match (self.table.data.load().is_some(), unit) {
+            (true, "N") if self.law.has_memory() || self.law == FitLaw::LuGre => "-",
             (true, "N/m") => "1/m",
             (true, "N s/m") => "s/m",
             _ => unit,
@@ -96,84 +112,77 @@ impl Report<'_> {
                 fit.deviation()
             )
         };
-        let mut text = format!(
+        format!(
             "residuals     {residuals}\nstarts        {} of {} ended at the best minimum{}\n",
             fit.at_best,
             fit.starts,
             self.sampled()
-        );
-        let scatter = (2.0 / freedoms as f64).sqrt();
-        if fit.is_weighted && fit.deviation() * fit.deviation() > 1.0 + BEYOND * scatter {
-            text +=
-                "warning       residuals are larger than sigma allows: the law or sigma is wrong\n";
-        }
-        if fit.at_best == 1 && fit.starts > 1 {
-            text += "warning       only one start ended there; try more --starts, or --fix a parameter\n";
-        }
-        if !fit.converged {
-            text += "warning       the search did not converge: standard errors are rough\n";
-        }
-        text
+        )
     }
 
-    /// Parameters of which the data tell nothing, or only a combination.
-    fn undetermined(&self) -> String {
-        let mut groups: Vec<Vec<&str>> = Vec::new();
-        for estimate in &self.fit.parameters {
-            if let Uncertainty::Undetermined(others) = &estimate.known {
-                let mut group = others.clone();
-                group.push(estimate.parameter.name);
-                group.sort_unstable();
-                if !groups.contains(&group) {
-                    groups.push(group);
-                }
-            }
-        }
-        let told = groups.iter().map(|group| match group.as_slice() {
-            [name] => format!("warning       the data do not determine {name}; give --fix {name}=VALUE\n"),
-            names => format!(
-                "warning       the data determine only a combination of {}; give --fix NAME=VALUE for one\n",
-                names.join(" and ")
-            ),
-        });
-        told.collect()
-    }
-
-    /// Pairs that the data hardly tell apart.
-    fn entangled(&self) -> String {
-        let names: Vec<&str> = self.fit.determined().map(|e| e.parameter.name).collect();
-        let mut text = String::new();
-        for b in 0..names.len() {
-            for a in 0..b {
-                let correlation = self.fit.correlation(a, b);
-                if correlation.abs() > ENTANGLED {
-                    text += &format!(
-                        "warning       correlation of {} and {} is {correlation:.4}: the data hardly \
-                         tell these apart; fix one\n",
-                        names[a], names[b]
-                    );
-                }
-            }
-        }
-        text
+    /// Names and values of all parameters.
+    pub fn values(&self) -> Vec<(&'static str, f64)> {
+        let all = self.fit.parameters.iter();
+        all.map(|estimate| (estimate.parameter.name, estimate.value))
+            .collect()
     }
 
     /// The law as other commands take it: its steady form.
-    fn spec(&self) -> String {
-        let known = find(self.law.steady()).map_or(&[][..], |entry| entry.parameters);
-        let values = known.iter().filter_map(|parameter| {
-            // Steady sliding does not depend on the memory length.
-            let value = self
-                .fit
-                .value(parameter.name)
-                .or((parameter.name == "dc").then_some(1.0))?;
-            Some(format!("{}={value:?}", parameter.name))
+    fn spec(&self) -> Option<String> {
+        let parameters = self.values();
+        let fitted = FittedLaw {
+            law: self.law.name(),
+            parameters: &parameters,
+            is_per_load: self.is_per_load(),
+        };
+        fitted.spec().ok().flatten()
+    }
+
+    /// Root mean square of the residuals, in the unit of friction.
+    pub fn rms(&self) -> f64 {
+        let pairs = self.table.data.friction().iter().zip(&self.fit.predictions);
+        let sum: f64 = pairs.map(|(f, p)| (f - p) * (f - p)).sum();
+        (sum / self.fit.predictions.len() as f64).sqrt()
+    }
+
+    /// The same for programs.
+    pub fn json(&self) -> Value {
+        let parameters = self.fit.parameters.iter().map(|estimate| {
+            let (error, state) = match &estimate.known {
+                Uncertainty::StandardError(error) => (*error, "determined"),
+                Uncertainty::Fixed => (0.0, "fixed"),
+                Uncertainty::AtBound => (f64::NAN, "at its bound"),
+                Uncertainty::Undetermined(_) => (f64::NAN, "not determined"),
+            };
+            json!({
+                "name": estimate.parameter.name,
+                "value": json_number(estimate.value),
+                "error": json_number(error),
+                "interval": estimate.interval.map(json_number),
+                "unit": self.unit(estimate.parameter.unit),
+                "state": state,
+            })
         });
-        format!(
-            "{}:{}",
-            self.law.steady(),
-            values.collect::<Vec<_>>().join(",")
-        )
+        let dropped: u64 = self.table.dropped.iter().map(|(_, count)| count).sum();
+        let reasons = self.table.dropped.iter();
+        let reasons = reasons.map(|(why, count)| json!({"why": why, "rows": count}));
+        json!({
+            "law": self.law.name(),
+            "formula": self.law.formula(self.table.is_record()),
+            "parameters": parameters.collect::<Vec<_>>(),
+            "rms": json_number(self.rms()),
+            "rows": self.fit.predictions.len(),
+            "dropped": dropped,
+            "dropped_because": reasons.collect::<Vec<_>>(),
+            "read": self.table.told,
+            "degrees_of_freedom": self.fit.freedoms,
+            "error_factor": json_number(self.fit.error_factor),
+            "starts": self.fit.starts,
+            "starts_at_best": self.fit.at_best,
+            "converged": self.fit.converged,
+            "warnings": self.fit.cautions.iter().map(ToString::to_string).collect::<Vec<_>>(),
+            "as_a_law": self.spec(),
+        })
     }
 
     /// Writes covariance.csv, residuals.csv and, last, fit.toml.
@@ -223,8 +232,9 @@ impl Report<'_> {
         let mut text = format!(
             "# A fit by `tribos fit`: friction of the data less that of the law has the least square.\n\
              # `law` is for --law of `tribos wrench` and --curve of `tribos laws` (steady sliding).\n\
-             law = \"{}\"\npoints = {}\ndegrees_of_freedom = {}\nsum_of_squares = {}\n",
-            self.spec(),
+             law = \"{}\"\nfitted = \"{}\"\npoints = {}\ndegrees_of_freedom = {}\nsum_of_squares = {}\n",
+            self.spec().unwrap_or_default(),
+            self.law.name(),
             fit.predictions.len(),
             fit.freedoms,
             toml_number(fit.cost)
@@ -238,6 +248,12 @@ impl Report<'_> {
             "{quality}\nconverged = {}\nstarts = {}\nstarts_at_best = {}\npoints_searched = {}\n",
             fit.converged, fit.starts, fit.at_best, fit.searched
         );
+        text += &format!("error_factor = {:?}\n", fit.error_factor);
+        let cautions = fit
+            .cautions
+            .iter()
+            .map(|caution| format!("{:?}", caution.to_string()));
+        text += &format!("warnings = [{}]\n", cautions.collect::<Vec<_>>().join(", "));
         for estimate in &fit.parameters {
             text += &self.toml_parameter(estimate);
         }
@@ -257,26 +273,43 @@ impl Report<'_> {
             }
         };
         format!(
-            "\n[parameters.{}]    # {}\nvalue = {:?}\nunit = \"{}\"\n{known}",
+            "\n[parameters.{}]    # {}\nvalue = {:?}\nunit = \"{}\"\n{known}interval = [{}, {}]\n",
             parameter.name,
             parameter.meaning,
             estimate.value,
-            self.unit(parameter.unit)
+            self.unit(parameter.unit),
+            toml_number(estimate.interval[0]),
+            toml_number(estimate.interval[1])
         )
     }
 }
 
 /// A number as TOML has it.
 fn toml_number(x: f64) -> String {
+    match x {
+        x if x.is_finite() => format!("{x:?}"),
+        x if x.is_nan() => "nan".into(),
+        x if x > 0.0 => "inf".into(),
+        _ => "-inf".into(),
+    }
+}
+
+/// The ends of an interval, with four digits.
+fn interval([low, high]: [f64; 2]) -> String {
+    format!("[{}, {}]", shown_value(low), shown_value(high))
+}
+
+/// A value for people, with four digits.
+pub fn shown_value(x: f64) -> String {
     if x.is_finite() {
-        format!("{x:?}")
+        significant(x, 4)
     } else {
-        number(x)
+        "?".into()
     }
 }
 
 /// A value that has no error.
-fn plain(value: f64) -> String {
+pub fn plain(value: f64) -> String {
     if value == 0.0 {
         "0".into()
     } else {
@@ -285,7 +318,7 @@ fn plain(value: f64) -> String {
 }
 
 /// Value and error with two digits of the error.
-fn value_with_error(value: f64, error: f64) -> (String, String) {
+pub fn value_with_error(value: f64, error: f64) -> (String, String) {
     /// Values that are written without a power of ten.
     const EVERYDAY: std::ops::Range<f64> = 1e-3..1e5;
     /// f64 has no more digits.

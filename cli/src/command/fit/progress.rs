@@ -1,7 +1,7 @@
 //! How far a fit of many points is, on standard error.
 
 use std::time::{Duration, Instant};
-use tribos::fit::FitProgress;
+use tribos::fit::{FitLaw, FitProgress};
 
 /// Time from one line to the next; what ends before the first needs none.
 const PAUSE: Duration = Duration::from_secs(2);
@@ -21,7 +21,7 @@ impl Default for Progress {
 
 impl Progress {
     /// A step begins.
-    pub fn at(&mut self, progress: FitProgress) {
+    pub fn at(&mut self, law: FitLaw, progress: FitProgress) {
         if self.told.elapsed() < PAUSE {
             return;
         }
@@ -32,7 +32,8 @@ impl Progress {
             steps,
         } = progress;
         crate::command::note(format_args!(
-            "search {search} of {of} on {points} points, step {}",
+            "{}: search {search} of {of} on {points} points, step {}",
+            law.name(),
             steps + 1
         ));
     }

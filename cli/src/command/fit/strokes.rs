@@ -1,5 +1,6 @@
 //! `tribos fit --strokes`: a tribometer's record, stroke by stroke.
 
+use super::log::Format;
 use super::strokes_picture;
 use crate::command::digits::shown;
 use crate::command::number;
@@ -10,15 +11,17 @@ use tribos::fit::FitError;
 use tribos::fit::strokes::{
     Stroke, StrokeOptions, StrokeQuantity, StrokeRecord, StrokeSummary, Strokes,
 };
-use tribos::record::{Rows, TableError, json_number, write_atomically, write_series};
+use tribos::record::{
+    LogOptions, LogRole, TableError, json_number, read_log, write_atomically, write_series,
+};
 use tribos::run::folder::{Contents, OutputFolder};
 use tribos_report::image;
 
 /// Options of `--strokes`.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub struct Options {
-    /// Take a record over time apart into strokes: a CSV file with the columns t,f and v or x, perhaps
-    /// load; without v and x strokes are divided by the sign of f.
+    /// Take a record over time apart into strokes: columns t,f and v or x, perhaps load; without v and x strokes are
+    /// divided by the sign of f.
     #[arg(long, requires = "data", conflicts_with_all = ["law", "fixed", "starts"])]
     pub strokes: bool,
     /// Share of the way of a stroke, about its middle, over which friction is averaged.
@@ -27,17 +30,6 @@ pub struct Options {
     /// Shortest rest that divides strokes of one direction [s] [default: five rows].
     #[arg(long, value_name = "S", default_value = "0", hide_default_value = true, value_parser = number::not_negative, requires = "strokes")]
     rest: f64,
-    /// Output format.
-    #[arg(long, default_value = "text", requires = "strokes")]
-    format: Format,
-}
-
-#[derive(Clone, Copy, Debug, clap::ValueEnum)]
-enum Format {
-    /// For people.
-    Text,
-    /// One object.
-    Json,
 }
 
 const FILES: [&str; 4] = ["strokes.csv", "strokes.svg", "strokes.png", "summary.json"];
@@ -58,11 +50,12 @@ fn share(text: &str) -> Result<f64, String> {
 /// Takes apart, writes and prints.
 pub fn execute(
     file: &Path,
+    log: &LogOptions,
     load: Option<f64>,
     options: &Options,
-    out: Option<&Path>,
+    (format, out): (Format, Option<&Path>),
 ) -> Result<(), Failure> {
-    let record = read(file, load)?;
+    let (record, told) = read(file, log, load)?;
     let asked = StrokeOptions {
         middle: options.middle,
         shortest_rest: options.rest,
@@ -81,9 +74,13 @@ pub fn execute(
         let summary = format!("{:#}\n", summary(&found));
         write_atomically(&out.join("summary.json"), summary.as_bytes())?;
     }
-    match options.format {
+    match format {
         Format::Text => {
-            crate::command::print(&text(&found))?;
+            let read: String = told
+                .iter()
+                .map(|line| format!("read          {line}\n"))
+                .collect();
+            crate::command::print(&(read + &text(&found)))?;
             match out {
                 Some(out) => crate::command::print(&format!("written to    {}\n", out.display())),
                 None => Ok(()),
@@ -93,43 +90,24 @@ pub fn execute(
     }
 }
 
-/// Headers that are understood; columns may come in any order.
-const HEADERS: [&[&str]; 8] = [
-    &["t", "f"],
-    &["t", "f", "v"],
-    &["t", "f", "x"],
-    &["t", "f", "v", "x"],
-    &["t", "f", "load"],
-    &["t", "f", "v", "load"],
-    &["t", "f", "x", "load"],
-    &["t", "f", "v", "x", "load"],
-];
-
-/// The record of a file: its columns by their roles, friction divided by the load.
-fn read(file: &Path, load: Option<f64>) -> Result<StrokeRecord, Failure> {
+/// The record of a file: its columns by their roles, friction divided by the load; and what was understood.
+fn read(
+    file: &Path,
+    options: &LogOptions,
+    load: Option<f64>,
+) -> Result<(StrokeRecord, Vec<String>), Failure> {
+    const ROLES: [LogRole; 5] = [
+        LogRole::TIME.needed(),
+        LogRole::FRICTION.needed(),
+        LogRole::VELOCITY,
+        LogRole::POSITION,
+        super::table::by_name(LogRole::LOAD),
+    ];
     let explained = |failure: TableError| Failure::input(format!("{failure} {EXPECTED}"));
-    let mut names: &[&str] = HEADERS[0];
-    let mut rows = Rows::asked_for(file, |header| {
-        let [v, x, load] = ["v", "x", "load"].map(|name| usize::from(header.contains(&name)));
-        names = HEADERS[v + 2 * x + 4 * load];
-        names
-    })
-    .map_err(explained)?;
-    let mut columns = vec![Vec::new(); names.len()];
-    let (mut row, mut lines) = (vec![0.0; names.len()], Vec::new());
-    while let Some(line) = rows.next(&mut row).map_err(explained)? {
-        lines.push(line);
-        for (column, value) in columns.iter_mut().zip(&row) {
-            column.push(*value);
-        }
-    }
-    let mut take = |name: &str| {
-        let at = names.iter().position(|known| *known == name)?;
-        columns.get_mut(at).map(std::mem::take)
-    };
-    let (times, friction) = (take("t"), take("f"));
-    let (velocities, positions) = (take("v"), take("x"));
-    let loads = take("load");
+    let mut log = read_log(file, &ROLES, options).map_err(explained)?;
+    let (times, friction) = (log.take("t"), log.take("f"));
+    let (velocities, positions) = (log.take("v"), log.take("x"));
+    let (loads, lines) = (log.take("load"), &log.lines);
     if load.is_some() && loads.is_some() {
         return Err(Failure::input(format!(
             "{}: the column load and --load are both given; leave one out",
@@ -151,7 +129,8 @@ fn read(file: &Path, load: Option<f64>) -> Result<StrokeRecord, Failure> {
             Some(loads) => record.per_load(&loads),
             None => Ok(record),
         });
-    record.map_err(|error| super::table::refusal(file, &lines, error))
+    let record = record.map_err(|error| super::table::refusal(file, lines, error))?;
+    Ok((record, log.brief))
 }
 
 /// For the person at the terminal.

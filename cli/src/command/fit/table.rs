@@ -1,18 +1,20 @@
 //! Measurements from a log.
 
-use super::log::ROLES;
+use super::apparatus::Machine;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
-use tribos::fit::{FitError, Measurements, Motion};
-use tribos::record::{LogOptions, read_log};
+use tribos::fit::{FitColumns, FitError, FitLaw, Measurements, Motion, Prepared};
+use tribos::record::{LogOptions, LogRole, read_log};
 
 /// The measurements of a file.
 #[derive(Debug)]
 pub struct Table {
     /// The measurements, checked.
     pub data: Measurements,
-    /// What was understood of a file that is not as Tribos writes it.
+    /// What was understood of a file that is not as Tribos writes it, and which rows were left out.
     pub told: Vec<String>,
+    /// Rows that were left out, by reason.
+    pub dropped: Vec<(String, u64)>,
     name: PathBuf,
     /// Line of each point.
     lines: Vec<u64>,
@@ -21,26 +23,87 @@ pub struct Table {
 const EXPECTED: &str = "(columns are v,f for steady sliding or t,v,f for a record over time, either with sigma; \
     --look shows what is understood of a file)";
 
+/// Columns of measurements that a fit may read; those that it needs are marked.
+pub const ROLES: [LogRole; 7] = [
+    LogRole::TIME,
+    LogRole::VELOCITY.needed(),
+    LogRole::FRICTION.needed(),
+    LogRole::DEVIATION,
+    LogRole::POSITION,
+    LogRole::ACCELERATION,
+    LogRole::LOAD,
+];
+
+/// A role whose column only bears its own name, or is named by `--columns`: many logs hold it beside a coefficient that is
+/// per load already.
+pub const fn by_name(role: LogRole) -> LogRole {
+    LogRole {
+        synonyms: &[],
+        ..role
+    }
+}
+
 impl Table {
-    /// Reads velocity and friction, and time and standard deviation if they are there; friction is divided by the load.
-    pub fn read(path: &Path, options: &LogOptions, load: Option<f64>) -> Result<Self, Failure> {
+    /// Reads velocity and friction, and what else there is, for a law or for all of them.
+    pub fn read(
+        path: &Path,
+        options: &LogOptions,
+        machine: &Machine,
+        law: Option<FitLaw>,
+    ) -> Result<Self, Failure> {
         let explained = |failure| Failure::input(format!("{failure} {EXPECTED}"));
-        let mut log = read_log(path, &ROLES, options).map_err(explained)?;
-        let load = load.unwrap_or(1.0);
-        let per_load = |values: Vec<f64>| values.into_iter().map(|f| f / load).collect::<Vec<_>>();
-        let velocities = log.take("v").unwrap_or_default();
-        let friction = per_load(log.take("f").unwrap_or_default());
-        let sigma = log.take("sigma").map(per_load);
-        let data = match log.take("t") {
-            Some(times) => Measurements::series(times, velocities, friction, sigma),
-            None => Measurements::steady(velocities, friction, sigma),
+        let mut roles = vec![
+            LogRole::TIME,
+            LogRole::VELOCITY.needed(),
+            LogRole::FRICTION.needed(),
+            LogRole::DEVIATION,
+            by_name(LogRole::ACCELERATION),
+        ];
+        roles.push(match law {
+            Some(FitLaw::Amontons) => LogRole::LOAD.needed(),
+            _ => by_name(LogRole::LOAD),
+        });
+        if machine.inertia {
+            roles[4] = LogRole::ACCELERATION;
+        }
+        let mut log = read_log(path, &roles, options).map_err(explained)?;
+        let friction = log.take("f").unwrap_or_default();
+        let given = machine.load.map(|load| vec![load; friction.len()]);
+        let column = log.take("load");
+        if given.is_some() && column.is_some() {
+            return Err(Failure::input(format!(
+                "{}: the column load and --load are both given; leave one out, such as by --columns load=none",
+                path.display()
+            )));
+        }
+        let columns = FitColumns {
+            times: log.take("t"),
+            velocities: log.take("v").unwrap_or_default(),
+            friction,
+            sigma: log.take("sigma"),
+            acceleration: log.take("a").filter(|_| machine.inertia),
+            load: given.or(column),
         };
-        let data = data.map_err(|error| refusal(path, &log.lines, error))?;
+        let found = columns.prepared(law);
+        let found = found.map_err(|error| refusal(path, &log.lines, error))?;
+        let dropped = log
+            .dropped
+            .iter()
+            .map(|(why, count)| (why.name().to_owned(), *count));
+        let mut dropped: Vec<(String, u64)> = dropped.collect();
+        if found.resting > 0 {
+            dropped.push(("at rest".into(), found.resting as u64));
+        }
         Ok(Self {
-            data,
-            told: log.brief,
+            told: told(log.brief, &found),
+            dropped,
             name: path.to_path_buf(),
-            lines: log.lines,
+            lines: found
+                .rows
+                .iter()
+                .filter_map(|&row| log.lines.get(row).copied())
+                .collect(),
+            data: found.data,
         })
     }
 
@@ -51,12 +114,10 @@ impl Table {
 
     /// Names and columns of the measurements: time if there is one, velocity, friction.
     pub fn columns(&self) -> Vec<(&'static str, &[f64])> {
-        let times = match self.data.motion() {
-            Motion::Series { times, .. } => Some(("t", times.as_slice())),
-            Motion::Steady { .. } => None,
-        };
+        let times = self.data.times().map(|times| ("t", times));
         let rest = [("v", self.data.velocities()), ("f", self.data.friction())];
-        times.into_iter().chain(rest).collect()
+        let load = self.data.load().map(|load| ("load", load));
+        times.into_iter().chain(rest).chain(load).collect()
     }
 
     /// Whether it is a record over time.
@@ -65,7 +126,18 @@ impl Table {
     }
 }
 
-/// A refusal of measurements with the file, and the line where it is about one.
+/// What the reader said, and what was made of the rows.
+fn told(mut brief: Vec<String>, found: &Prepared) -> Vec<String> {
+    if found.resting > 0 {
+        brief.push(format!("{} rows at rest left out", found.resting));
+    }
+    if found.is_signed_by_velocity {
+        brief.push("friction has no sign: taken along the velocity".into());
+    }
+    brief
+}
+
+/// A refusal with file and line, where it is about a line.
 pub fn refusal(path: &Path, lines: &[u64], error: FitError) -> Failure {
     let name = path.display();
     match error {

@@ -67,6 +67,13 @@ pub enum Caution {
         /// Change over the standard error.
         errors: f64,
     },
+    /// A spring between the load point and the contact explains the record better.
+    LoadPoint {
+        /// Its stiffness per load, in 1/m.
+        spring: f64,
+        /// Deviations of the residuals without it and with it.
+        deviations: [f64; 2],
+    },
     /// Another course of the velocity between the points would change a parameter: the record is too coarse.
     Course {
         /// Name.
@@ -140,6 +147,14 @@ impl fmt::Display for Caution {
                 f,
                 "more steps between the points would still change {name} by {change:.2e} ({errors:.1} standard \
                  errors): sample more often"
+            ),
+            Self::LoadPoint {
+                spring,
+                deviations: [without, with],
+            } => write!(
+                f,
+                "v looks like the speed of the load point: with a spring of {spring:.4e} 1/m residuals fall from \
+                 {without:.2e} to {with:.2e}; a, b and dc above are those of the machine too: give --spring K or --spring fit"
             ),
             Self::Course {
                 name,

@@ -155,40 +155,6 @@ impl Measurements {
         Ok(self)
     }
 
-    /// The points at which the velocity is not 0, and how many there are at rest.
-    pub fn moving(self) -> (Self, usize) {
-        let keep: Vec<usize> = {
-            let velocities = self.velocities();
-            (0..velocities.len())
-                .filter(|&i| velocities[i] != 0.0)
-                .collect()
-        };
-        let resting = self.friction.len() - keep.len();
-        if resting == 0 {
-            return (self, 0);
-        }
-        (self.picked(&keep), resting)
-    }
-
-    /// Some of the points, in rising order.
-    pub(super) fn picked(&self, points: &[usize]) -> Self {
-        let of = |values: &[f64]| points.iter().map(|&i| values[i]).collect::<Vec<f64>>();
-        let motion = match &self.motion {
-            Motion::Steady { speeds } => Motion::Steady { speeds: of(speeds) },
-            Motion::Series { times, velocities } => Motion::Series {
-                times: of(times),
-                velocities: of(velocities),
-            },
-        };
-        Self {
-            motion,
-            friction: of(&self.friction),
-            sigma: self.sigma.as_deref().map(of),
-            load: self.load.as_deref().map(of),
-            acceleration: self.acceleration.as_deref().map(of),
-        }
-    }
-
     /// Motion of the surfaces.
     pub fn motion(&self) -> &Motion {
         &self.motion

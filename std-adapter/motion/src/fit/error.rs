@@ -42,6 +42,9 @@ pub enum FitError {
     /// The pushes cannot be used as a whole.
     #[error("{0}")]
     Pushes(String),
+    /// The frames of a film cannot be used, or not in this way.
+    #[error("{0}")]
+    Track(String),
     /// The known support is refused.
     #[error(transparent)]
     Support(#[from] FrictionError),

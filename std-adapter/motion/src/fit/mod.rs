@@ -35,6 +35,7 @@
 
 mod apparatus;
 mod caution;
+mod columns;
 mod compare;
 mod covariance;
 mod data;
@@ -57,11 +58,13 @@ mod search;
 mod standard_errors;
 pub mod strokes;
 pub mod support;
+pub mod track;
 mod unknowns;
 mod usage;
 
 pub use apparatus::Apparatus;
 pub use caution::Caution;
+pub use columns::{FitColumns, Prepared};
 pub use compare::{Compared, compare};
 pub use data::Measurements;
 #[doc(hidden)]

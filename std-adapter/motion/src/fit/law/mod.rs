@@ -185,6 +185,11 @@ impl FitLaw {
         )
     }
 
+    /// Whether friction depends on the age of the contact: rate and state.
+    pub fn has_age(self) -> bool {
+        matches!(self, Self::RateState | Self::RateStateSlip)
+    }
+
     /// Whether friction at rest is unknown to the law, so that points without motion are left out.
     pub fn needs_motion(self) -> bool {
         !self.has_memory() && !matches!(self, Self::Tanh | Self::Arctan)

@@ -115,6 +115,11 @@ impl FittedLaw<'_> {
         })
     }
 
+    /// The law of steady sliding as scenes and `tribos wrench --law` take it; none where the catalogue has nothing like it.
+    pub fn spec(&self) -> Result<Option<String>, UsageError> {
+        Ok(self.shape()?.spec())
+    }
+
     /// What friction is measured in, in words of a comment.
     fn unit(&self) -> &'static str {
         match self.is_per_load {

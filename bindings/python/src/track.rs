@@ -1,0 +1,89 @@
+//! Friction, radius and launch of filmed bodies.
+
+use crate::arrays::refused;
+use crate::threads::detached;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use tribos::fit::track::{Track, TrackFit, TrackOptions, fit_track as fit};
+use tribos::fit::{FitError, Uncertainty};
+use tribos::friction::Patch;
+
+/// Times, x, y, and angles if there are any.
+type Columns = (Vec<f64>, Vec<f64>, Vec<f64>, Option<Vec<f64>>);
+/// Gravity, inertia ratio, and noise of positions and of angles where it is known.
+type Surroundings = (f64, f64, Option<f64>, Option<f64>);
+/// Frames that are skipped, first and last time, starts.
+type Choice = (usize, Option<f64>, Option<f64>, usize);
+
+/// Fits the motion of a filmed body.
+#[pyfunction]
+pub fn fit_track<'py>(
+    py: Python<'py>,
+    (times, x, y, angle): Columns,
+    law: &str,
+    patch: &str,
+    fixed: Vec<(String, f64)>,
+    (gravity, inertia_ratio, noise_position, noise_angle): Surroundings,
+    (skip, from, to, starts): Choice,
+) -> PyResult<Bound<'py, PyDict>> {
+    let options = TrackOptions {
+        law: law.parse().map_err(refused)?,
+        patch: patch.parse::<Patch>().map_err(refused)?,
+        gravity,
+        inertia_ratio,
+        fixed,
+        starts,
+        skip,
+        from,
+        to,
+        noise_position,
+        noise_angle,
+    };
+    let found = detached(py, || fit(&Track::new(times, x, y, angle)?, &options))?;
+    let found = found.map_err(|error| match error {
+        FitError::Point { point, message } => refused(format!("frame {point}: {message}")),
+        other => refused(other),
+    })?;
+    result(py, &found)
+}
+
+fn result<'py>(py: Python<'py>, fit: &TrackFit) -> PyResult<Bound<'py, PyDict>> {
+    let estimates = fit.parameters.iter().map(|estimate| {
+        let parameter = &estimate.parameter;
+        let entry = PyDict::new(py);
+        entry.set_item("name", parameter.name)?;
+        entry.set_item("unit", parameter.unit)?;
+        entry.set_item("meaning", parameter.meaning)?;
+        entry.set_item("value", estimate.value)?;
+        let (error, state, others) = match &estimate.known {
+            Uncertainty::StandardError(error) => (*error, "determined", Vec::new()),
+            Uncertainty::Fixed => (0.0, "fixed", Vec::new()),
+            Uncertainty::AtBound => (f64::NAN, "at its bound", Vec::new()),
+            Uncertainty::Undetermined(others) => (f64::NAN, "not determined", others.clone()),
+        };
+        entry.set_item("error", error)?;
+        entry.set_item("state", state)?;
+        entry.set_item("trades_with", others)?;
+        entry.set_item("interval", estimate.interval)?;
+        Ok(entry)
+    });
+    let estimates: PyResult<Vec<_>> = estimates.collect();
+    let answer = PyDict::new(py);
+    answer.set_item("estimates", estimates?)?;
+    answer.set_item("law", &fit.law)?;
+    answer.set_item("rms", fit.rms_position)?;
+    answer.set_item("rms_angle", fit.rms_angle)?;
+    answer.set_item("rows", fit.frames)?;
+    answer.set_item("dropped", &fit.dropped)?;
+    answer.set_item("freedoms", fit.freedoms)?;
+    answer.set_item("converged", fit.converged)?;
+    answer.set_item("starts", fit.starts)?;
+    answer.set_item("at_best", fit.at_best)?;
+    answer.set_item("residuals", &fit.residuals)?;
+    answer.set_item("times", fit.track.times())?;
+    answer.set_item("speeds", &fit.speeds)?;
+    answer.set_item("ratio", fit.ratio)?;
+    answer.set_item("rest_time", fit.rest_time)?;
+    answer.set_item("warnings", &fit.warnings)?;
+    Ok(answer)
+}

@@ -1,0 +1,61 @@
+//! The frames of a film.
+
+use super::Options;
+use crate::failure::Failure;
+use std::path::{Path, PathBuf};
+use tribos::fit::track::Track;
+use tribos::record::{LogOptions, LogRole, read_log};
+
+/// A film that was read.
+#[derive(Debug)]
+pub struct Film {
+    pub track: Track,
+    /// What was understood of the file.
+    told: Vec<String>,
+    pub name: PathBuf,
+    /// Line of each frame.
+    pub lines: Vec<u64>,
+}
+
+/// Columns of a film.
+pub const ROLES: [LogRole; 4] = [
+    LogRole::TIME.needed(),
+    LogRole::POSITION.needed(),
+    LogRole::ACROSS.needed(),
+    LogRole::ANGLE,
+];
+
+impl Film {
+    /// What was understood of the file.
+    pub fn told(&self) -> String {
+        self.told
+            .iter()
+            .map(|line| format!("read          {line}\n"))
+            .collect()
+    }
+}
+
+impl Options {
+    /// Reads t,x,y and perhaps angle, in SI units.
+    pub(super) fn read(&self, path: &Path, options: &LogOptions) -> Result<Film, Failure> {
+        let mut log = read_log(path, &ROLES, options)?;
+        let mut scaled = |name: &str, factor: Option<f64>| {
+            let column = log.take(name)?;
+            let factor = factor.unwrap_or(1.0);
+            Some(column.into_iter().map(|x| x * factor).collect::<Vec<f64>>())
+        };
+        let times = scaled("t", self.frame_rate.map(|rate| 1.0 / rate)).unwrap_or_default();
+        let [x, y] = ["x", "y"].map(|name| scaled(name, self.scale).unwrap_or_default());
+        let angle = scaled("angle", None);
+        let track =
+            Track::new(times, x, y, angle).map_err(|error| refusal(path, &log.lines, error))?;
+        Ok(Film {
+            track,
+            told: log.brief,
+            name: path.to_path_buf(),
+            lines: log.lines,
+        })
+    }
+}
+
+pub use super::super::table::refusal;

@@ -1,0 +1,128 @@
+//! Columns of a log as measurements: what is left out, and what is made of a friction without sign.
+
+use super::data::Measurements;
+use super::error::FitError;
+use super::law::FitLaw;
+
+/// Columns of a log in SI, one number a row.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FitColumns {
+    /// Times in s; none of steady sliding.
+    pub times: Option<Vec<f64>>,
+    /// Velocities in m/s.
+    pub velocities: Vec<f64>,
+    /// Friction, as a coefficient or in N.
+    pub friction: Vec<f64>,
+    /// Standard deviations of friction.
+    pub sigma: Option<Vec<f64>>,
+    /// Accelerations in m/s².
+    pub acceleration: Option<Vec<f64>>,
+    /// Loads in N.
+    pub load: Option<Vec<f64>>,
+}
+
+/// Measurements from a log.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Prepared {
+    /// The measurements.
+    pub data: Measurements,
+    /// Row of each point.
+    pub rows: Vec<usize>,
+    /// Rows at rest that were left out.
+    pub resting: usize,
+    /// Whether friction had no sign, and was taken along the velocity.
+    pub is_signed_by_velocity: bool,
+}
+
+impl FitColumns {
+    /// The measurements for a law, or for all of them.
+    ///
+    /// Rows at rest are left out where they say nothing of sliding friction. Friction that is nowhere negative, of a sample that
+    /// moves in both directions, was recorded without sign: it gets that of the velocity.
+    ///
+    /// ```
+    /// use tribos::fit::{FitColumns, FitLaw};
+    /// let log = FitColumns {
+    ///     velocities: vec![0.1, 0.0, -0.1],
+    ///     friction: vec![0.3, 0.4, 0.3],
+    ///     ..FitColumns::default()
+    /// };
+    /// let found = log.prepared(Some(FitLaw::Coulomb))?;
+    /// assert_eq!((found.data.friction(), found.resting), (&[0.3, -0.3][..], 1));
+    /// assert!(found.is_signed_by_velocity && found.rows == [0, 2]);
+    /// # Ok::<(), tribos::fit::FitError>(())
+    /// ```
+    pub fn prepared(mut self, law: Option<FitLaw>) -> Result<Prepared, FitError> {
+        let is_signed_by_velocity = self.is_without_sign();
+        if is_signed_by_velocity {
+            for (f, v) in self.friction.iter_mut().zip(&self.velocities) {
+                *f = f.copysign(*v);
+            }
+        }
+        let sliding_only = self.times.is_none() || law.is_none_or(FitLaw::needs_motion);
+        let is_kept = |v: f64| v != 0.0 || !sliding_only;
+        let places = self.velocities.iter().enumerate();
+        let rows: Vec<usize> = places
+            .filter(|(_, v)| is_kept(**v))
+            .map(|(i, _)| i)
+            .collect();
+        let resting = self.velocities.len() - rows.len();
+        if resting > 0 {
+            self.keep(&rows);
+        }
+        let in_log = |error| match error {
+            FitError::Point { point, message } => FitError::Point {
+                point: rows.get(point).copied().unwrap_or(point),
+                message,
+            },
+            other => other,
+        };
+        let data = self.measurements().map_err(in_log)?;
+        Ok(Prepared {
+            data,
+            rows,
+            resting,
+            is_signed_by_velocity,
+        })
+    }
+
+    fn is_without_sign(&self) -> bool {
+        let is_both = |sign: f64| self.velocities.iter().any(|v| v * sign > 0.0);
+        is_both(1.0) && is_both(-1.0) && self.friction.iter().all(|f| *f >= 0.0)
+    }
+
+    /// Leaves other rows out.
+    fn keep(&mut self, rows: &[usize]) {
+        let picked = |column: &mut Vec<f64>| {
+            *column = rows
+                .iter()
+                .filter_map(|&row| column.get(row).copied())
+                .collect();
+        };
+        let more = [
+            &mut self.times,
+            &mut self.sigma,
+            &mut self.acceleration,
+            &mut self.load,
+        ];
+        for column in more.into_iter().flatten() {
+            picked(column);
+        }
+        picked(&mut self.velocities);
+        picked(&mut self.friction);
+    }
+
+    fn measurements(self) -> Result<Measurements, FitError> {
+        let mut data = match self.times {
+            Some(times) => Measurements::series(times, self.velocities, self.friction, self.sigma)?,
+            None => Measurements::steady(self.velocities, self.friction, self.sigma)?,
+        };
+        if let Some(acceleration) = self.acceleration {
+            data = data.with_acceleration(acceleration)?;
+        }
+        match self.load {
+            Some(load) => data.with_load(load),
+            None => Ok(data),
+        }
+    }
+}

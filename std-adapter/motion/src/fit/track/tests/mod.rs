@@ -1,0 +1,230 @@
+mod filmed;
+
+use super::*;
+use filmed::{Disk, Filmed, GRAVITY};
+use std::time::Instant;
+use tribos_base::random::Random;
+
+/// What many fits came to.
+#[derive(Debug, Default)]
+struct Tally {
+    /// Relative errors of μ, of R, and of μ by a parabola through the first half second.
+    mu: Vec<f64>,
+    radius: Vec<f64>,
+    parabola: Vec<f64>,
+    /// Intervals that contain the truth, of how many, by parameter.
+    covered: std::collections::BTreeMap<&'static str, [usize; 2]>,
+    /// Standard errors within which the truth lies, of μ.
+    pulls: Vec<f64>,
+    seconds: Vec<f64>,
+    frames: Vec<f64>,
+    agreed: usize,
+    failed: usize,
+}
+
+fn truths(body: &Filmed) -> [(&'static str, f64); 9] {
+    [
+        ("mu", body.mu),
+        ("R", body.radius),
+        ("ratio", body.speed / (body.spin.abs() * body.radius)),
+        ("x0", 0.3),
+        ("y0", -0.2),
+        ("vx", body.speed * body.direction.cos()),
+        ("vy", body.speed * body.direction.sin()),
+        ("angle0", 0.7),
+        ("spin", body.spin),
+    ]
+}
+
+impl Tally {
+    fn of(count: usize, seed: u64, has_angle: bool) -> Self {
+        let mut random = Random::new(seed, 0);
+        let disk = Disk::new();
+        let mut tally = Self::default();
+        for _ in 0..count {
+            let body = Filmed::random(&mut random);
+            let track = disk.film(&body, &mut random, has_angle);
+            tally.add(&body, &track);
+        }
+        tally
+    }
+
+    fn add(&mut self, body: &Filmed, track: &Track) {
+        let begun = Instant::now();
+        let fit = match fit_track(track, &TrackOptions::default()) {
+            Ok(fit) => fit,
+            Err(error) => {
+                println!("{body:?}: {error}");
+                self.failed += 1;
+                return;
+            }
+        };
+        self.seconds.push(begun.elapsed().as_secs_f64());
+        self.frames.push(track.times().len() as f64);
+        self.agreed += usize::from(fit.at_best >= 2);
+        for (name, truth) in truths(body) {
+            let Some(estimate) = fit.estimate(name) else {
+                continue;
+            };
+            let [low, high] = estimate.interval;
+            let entry = self.covered.entry(name).or_default();
+            entry[0] += usize::from(low <= truth && truth <= high);
+            entry[1] += 1;
+            match (name, &estimate.known) {
+                ("mu", known) => {
+                    self.mu.push((estimate.value / truth - 1.0).abs());
+                    if let Uncertainty::StandardError(error) = known {
+                        self.pulls.push((estimate.value - truth) / error);
+                    }
+                }
+                ("R", _) => self.radius.push((estimate.value / truth - 1.0).abs()),
+                _ => {}
+            }
+        }
+        self.parabola.push(parabola(body, track) / body.mu - 1.0);
+        if std::env::var_os("EACH").is_some() {
+            println!(
+                "{body:?} {:?} {:#?}",
+                fit.warnings,
+                fit.parameters
+                    .iter()
+                    .map(|p| format!(
+                        "{} {} {:?} {:?}",
+                        p.parameter.name, p.value, p.known, p.interval
+                    ))
+                    .collect::<Vec<_>>()
+            );
+        }
+    }
+}
+
+/// μ from x = x₀ + v t − μ g t²/2 along the path, through the first half of the frames.
+fn parabola(body: &Filmed, track: &Track) -> f64 {
+    let (cos, sin) = (body.direction.cos(), body.direction.sin());
+    let frames = (track.times().len() - 10) / 2;
+    let times: Vec<f64> = track
+        .times()
+        .iter()
+        .take(frames.max(5))
+        .map(|t| t - 1.5)
+        .collect();
+    let way: Vec<f64> = track
+        .x()
+        .iter()
+        .zip(track.y())
+        .map(|(x, y)| cos * x + sin * y)
+        .collect();
+    -2.0 * start::parabola(&times, &way)[2] / GRAVITY
+}
+
+fn quantile(values: &[f64], share: f64) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    sorted
+        .get((share * sorted.len().saturating_sub(1) as f64) as usize)
+        .copied()
+        .unwrap_or(f64::NAN)
+}
+
+impl Tally {
+    fn print(&self, what: &str) {
+        let [mu, radius, parabola] = [&self.mu, &self.radius, &self.parabola].map(|all| {
+            let sizes: Vec<f64> = all.iter().map(|x| x.abs()).collect();
+            [0.5, 0.9, 0.95, 1.0].map(|share| (1e4 * quantile(&sizes, share)).round() / 100.0)
+        });
+        println!(
+            "{what}: {} films, {} failed, 2 or more starts agree in {}",
+            self.mu.len(),
+            self.failed,
+            self.agreed
+        );
+        println!(
+            "  |error| in % at 50, 90, 95, 100 % of films: mu {mu:?}, R {radius:?}, parabola {parabola:?}"
+        );
+        println!(
+            "  parabola: median {:.2} %",
+            100.0 * quantile(&self.parabola, 0.5)
+        );
+        let within = |all: &[f64], bound: f64| {
+            100.0 * all.iter().filter(|x| **x <= bound).count() as f64 / all.len() as f64
+        };
+        println!(
+            "  mu within 2 %: {:.1} % of films; R within 15 %: {:.1} %",
+            within(&self.mu, 0.02),
+            within(&self.radius, 0.15)
+        );
+        for (name, [inside, of]) in &self.covered {
+            println!(
+                "  95 % interval of {name}: {:.1} % of {of}",
+                100.0 * *inside as f64 / *of as f64
+            );
+        }
+        let rms = (self.pulls.iter().map(|x| x * x).sum::<f64>() / self.pulls.len() as f64).sqrt();
+        println!("  pull of mu: rms {rms:.3}");
+        println!(
+            "  frames {:?}, seconds {:?}",
+            [0.0, 0.5, 1.0].map(|s| quantile(&self.frames, s)),
+            [0.5, 0.95, 1.0].map(|s| quantile(&self.seconds, s))
+        );
+    }
+}
+
+#[test]
+#[ignore = "500 films: cargo test -p tribos-motion --lib five_hundred_films -- --ignored --nocapture"]
+fn five_hundred_films() {
+    let count = std::env::var("FILMS")
+        .ok()
+        .and_then(|text| text.parse().ok())
+        .unwrap_or(250);
+    Tally::of(count, 7, true).print("with the angle");
+    Tally::of(count, 8, false).print("without the angle");
+}
+#[test]
+#[ignore = "timing"]
+fn timing() {
+    let mut random = Random::new(7, 0);
+    let disk = Disk::new();
+    for _ in 0..10 {
+        let body = Filmed::random(&mut random);
+        let track = disk.film(&body, &mut random, true);
+        let options = TrackOptions::default();
+        let floor = body::Body::new(
+            &options.patch,
+            options.law,
+            options.gravity,
+            options.inertia_ratio,
+        )
+        .unwrap();
+        let times: Vec<f64> = track.times().iter().map(|t| t - 1.5).collect();
+        let begun = Instant::now();
+        for k in 0..20 {
+            let speeds = [
+                body.speed * (1.0 + 1e-6 * f64::from(k)),
+                body.spin.abs() * body.radius,
+            ];
+            floor.roll_out(&[body.mu], speeds, &times).unwrap();
+        }
+        let path = begun.elapsed().as_secs_f64() / 20.0;
+        let model = model::TrackModel::new(&track, &floor);
+        let unknowns = super::super::unknowns::Unknowns::new(&model, &[]).unwrap();
+        let film = weighted::Weighted::new(&model, unknowns, weighted::first_noise(&track));
+        for index in 0..8 {
+            use super::super::parameter::Model;
+            let values = model.start(&super::super::halton::halton(index, 3));
+            let q = film.unknowns.coordinates(&values);
+            let begun = Instant::now();
+            let end = film.minimum(&film.unknowns, &q);
+            println!(
+                "  {:?} s, {:?}",
+                begun.elapsed().as_secs_f64(),
+                end.map(|end| (
+                    end.cost,
+                    end.converged,
+                    end.iterations,
+                    film.unknowns.values(&end.q)
+                ))
+            );
+        }
+        println!("{body:?} {} frames, path {path:e} s", times.len());
+    }
+}
