@@ -2,6 +2,7 @@ mod filmed;
 
 use super::*;
 use filmed::{Disk, Filmed, GRAVITY};
+use nalgebra::{Matrix3, Vector3};
 use std::time::Instant;
 use tribos_base::random::Random;
 
@@ -92,7 +93,15 @@ fn parabola(body: &Filmed, track: &Track) -> f64 {
     let frames = (track.times().len() - 10) / 2;
     let times: Vec<f64> = track.times().iter().take(frames.max(5)).map(|t| t - 1.5).collect();
     let way: Vec<f64> = track.x().iter().zip(track.y()).map(|(x, y)| cos * x + sin * y).collect();
-    -2.0 * start::parabola(&times, &way)[2] / GRAVITY
+    // Normal equations of 1, t, t².
+    let sum = |k: i32, values: &[f64]| -> f64 {
+        times.iter().zip(values).map(|(t, x)| t.powi(k) * x).sum()
+    };
+    let ones = vec![1.0; way.len()];
+    let matrix = Matrix3::from_fn(|i, j| sum((i + j) as i32, &ones));
+    let wanted = Vector3::from_fn(|i, _| sum(i as i32, &way));
+    let found = matrix.try_inverse().map_or(Vector3::zeros(), |inverse| inverse * wanted);
+    -2.0 * found[2] / GRAVITY
 }
 
 fn quantile(values: &[f64], share: f64) -> f64 {
@@ -127,35 +136,4 @@ fn five_hundred_films() {
     let count = std::env::var("FILMS").ok().and_then(|text| text.parse().ok()).unwrap_or(250);
     Tally::of(count, 7, true).print("with the angle");
     Tally::of(count, 8, false).print("without the angle");
-}
-#[test]
-#[ignore = "timing"]
-fn timing() {
-    let mut random = Random::new(7, 0);
-    let disk = Disk::new();
-    for _ in 0..10 {
-        let body = Filmed::random(&mut random);
-        let track = disk.film(&body, &mut random, true);
-        let options = TrackOptions::default();
-        let floor = body::Body::new(&options.patch, options.law, options.gravity, options.inertia_ratio).unwrap();
-        let times: Vec<f64> = track.times().iter().map(|t| t - 1.5).collect();
-        let begun = Instant::now();
-        for k in 0..20 {
-            let speeds = [body.speed * (1.0 + 1e-6 * f64::from(k)), body.spin.abs() * body.radius];
-            floor.roll_out(&[body.mu], speeds, &times).unwrap();
-        }
-        let path = begun.elapsed().as_secs_f64() / 20.0;
-        let model = model::TrackModel::new(&track, &floor);
-        let unknowns = super::super::unknowns::Unknowns::new(&model, &[]).unwrap();
-        let film = weighted::Weighted::new(&model, unknowns, weighted::first_noise(&track));
-        for index in 0..8 {
-            use super::super::parameter::Model;
-            let values = model.start(&super::super::halton::halton(index, 3));
-            let q = film.unknowns.coordinates(&values);
-            let begun = Instant::now();
-            let end = film.minimum(&film.unknowns, &q);
-            println!("  {:?} s, {:?}", begun.elapsed().as_secs_f64(), end.map(|end| (end.cost, end.converged, end.iterations, film.unknowns.values(&end.q))));
-        }
-        println!("{body:?} {} frames, path {path:e} s", times.len());
-    }
 }
