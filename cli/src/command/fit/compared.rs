@@ -17,7 +17,6 @@ pub const FILES: [&str; 2] = ["laws.csv", "laws.json"];
 #[derive(Debug)]
 pub struct Comparison<'a> {
     table: &'a Table,
-    machine: &'a Machine,
     laws: Vec<Compared>,
     refused: Vec<(FitLaw, FitError)>,
 }
@@ -40,7 +39,6 @@ impl<'a> Comparison<'a> {
         }
         Ok(Self {
             table,
-            machine,
             laws,
             refused,
         })
@@ -110,7 +108,6 @@ impl<'a> Comparison<'a> {
             law: one.law,
             table: self.table,
             fit: &one.fit,
-            machine: self.machine,
         }
     }
 

@@ -86,7 +86,6 @@ impl Request<'_> {
             law,
             table: &table,
             fit: &found,
-            machine: &self.machine,
         };
         if let Some(out) = self.out {
             let figure = plot::panels(law, &table.data, &found)?;

@@ -20,7 +20,6 @@ use law::LawChoice;
 use log::{Format, LogArguments};
 use std::num::NonZero;
 use std::path::PathBuf;
-use tribos::fit::FitLaw;
 use tribos::friction::Patch;
 use usage::As;
 

@@ -1,6 +1,5 @@
 //! What a fit leaves behind, and what it says.
 
-use super::apparatus::Machine;
 use super::table::Table;
 use crate::command::spool;
 use crate::failure::Failure;
@@ -18,8 +17,6 @@ pub struct Report<'a> {
     pub table: &'a Table,
     /// The result.
     pub fit: &'a Fit,
-    /// The machine.
-    pub machine: &'a Machine,
 }
 
 impl Report<'_> {

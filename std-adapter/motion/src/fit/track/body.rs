@@ -5,8 +5,7 @@ use super::law::TrackLaw;
 use super::march::{Place, march};
 use crate::MotionError;
 use crate::slide::planar::{Launch, PlanarSimulation, PlanarState, Plate, Resistance};
-use std::cell::RefCell;
-use std::rc::Rc;
+use std::sync::{Arc, Mutex, PoisonError};
 use tribos_core::coupling::{ReducedFriction, ReducedWrench};
 use tribos_friction::{AnyFriction, Flat, Patch, RoundPower, upright};
 
@@ -28,12 +27,12 @@ pub(super) struct Body {
     pub inertia_ratio: f64,
     flat: Option<Flat<f64>>,
     /// The coupling of the exponent that was asked for last.
-    coupling: RefCell<Option<Coupling>>,
+    coupling: Mutex<Option<Coupling>>,
 }
 
 /// An exponent and |v| to its power on the patch.
 #[derive(Clone)]
-struct Coupling(f64, Rc<dyn RoundPower<f64>>);
+struct Coupling(f64, Arc<dyn RoundPower<f64>>);
 
 impl std::fmt::Debug for Coupling {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -87,7 +86,7 @@ impl Body {
             gravity,
             inertia_ratio,
             flat,
-            coupling: RefCell::new(None),
+            coupling: Mutex::new(None),
         };
         Ok(body)
     }
@@ -135,13 +134,13 @@ impl Body {
     }
 
     /// |v|^α on the patch, whose table is kept until another exponent is asked for.
-    fn coupling(&self, alpha: f64) -> Option<Rc<dyn RoundPower<f64>>> {
-        let mut kept = self.coupling.borrow_mut();
+    fn coupling(&self, alpha: f64) -> Option<Arc<dyn RoundPower<f64>>> {
+        let mut kept = self.coupling.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(Coupling(_, profile)) = kept.as_ref().filter(|kept| kept.0 == alpha) {
-            return Some(Rc::clone(profile));
+            return Some(Arc::clone(profile));
         }
-        let profile: Rc<dyn RoundPower<f64>> = Rc::from(upright(&self.patch, alpha).ok()?);
-        *kept = Some(Coupling(alpha, Rc::clone(&profile)));
+        let profile: Arc<dyn RoundPower<f64>> = Arc::from(upright(&self.patch, alpha).ok()?);
+        *kept = Some(Coupling(alpha, Arc::clone(&profile)));
         Some(profile)
     }
 

@@ -408,7 +408,10 @@ impl Errors {
                 covariance[(i, j)] = variance * found.covariance[(a, b)];
             }
         }
-        let outer = |group: &Vec<usize>| group.iter().map(|&a| inside[a]).collect();
+        let outer = |direction: &Vec<f64>| {
+            let places = inside.iter().zip(direction);
+            places.filter(|(_, d)| **d != 0.0).map(|(&k, _)| k).collect()
+        };
         Self {
             covariance,
             loose: found.loose.iter().map(outer).collect(),

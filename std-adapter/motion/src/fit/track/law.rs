@@ -95,22 +95,9 @@ impl TrackLaw {
             .map(|(_, value)| *value)
     }
 
-    /// Moves values to the nearest within the law's domain: friction at rest is not below the boundary branch.
-    pub(super) fn project_to_valid(self, values: &mut [f64], is_free: &[bool]) {
-        let is_stribeck = self == Self::Stribeck && values[STATIC] < values[BOUNDARY];
-        if !is_stribeck {
-            return;
-        }
-        let met = match (is_free[STATIC], is_free[BOUNDARY]) {
-            (true, true) => 0.5 * (values[STATIC] + values[BOUNDARY]),
-            (true, false) => values[BOUNDARY],
-            (false, _) => values[STATIC],
-        };
-        for place in [STATIC, BOUNDARY] {
-            if is_free[place] {
-                values[place] = met;
-            }
-        }
+    /// The parameter that this one must not be below: friction at rest is not below the boundary branch.
+    pub(super) fn above(self, parameter: usize) -> Option<usize> {
+        (self == Self::Stribeck && parameter == STATIC).then_some(BOUNDARY)
     }
 
     /// Values that give about the same friction as `mu` at speeds about `speed`; `share` from 0 to 1 varies them.

@@ -6,8 +6,7 @@ use super::film::Track;
 use super::march::Place;
 use super::start::Guess;
 use crate::slide::Launch;
-use std::cell::RefCell;
-use std::rc::Rc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 const fn any(name: &'static str, unit: &'static str, meaning: &'static str) -> FitParameter {
     FitParameter {
@@ -69,13 +68,13 @@ pub(super) struct TrackModel<'a> {
     parameters: Vec<FitParameter>,
     guess: Guess,
     /// Motions that were followed last, the newest first.
-    kept: RefCell<Vec<Followed>>,
+    kept: Mutex<Vec<Followed>>,
 }
 
 /// What decides a motion, and the motion.
 struct Followed {
     key: Vec<f64>,
-    places: Rc<[Place]>,
+    places: Arc<[Place]>,
 }
 
 /// Motions that are kept: one Jacobian asks for no more.
@@ -106,7 +105,7 @@ impl<'a> TrackModel<'a> {
             turning,
             parameters: parts.concat(),
             guess: Guess::of(track, body),
-            kept: RefCell::new(Vec::new()),
+            kept: Mutex::new(Vec::new()),
         }
     }
 
@@ -192,7 +191,7 @@ impl<'a> TrackModel<'a> {
     }
 
     /// The motion at the frames, followed once for launches that differ in place and direction alone.
-    fn followed(&self, values: &[f64]) -> Option<Rc<[Place]>> {
+    fn followed(&self, values: &[f64]) -> Option<Arc<[Place]>> {
         let law = values.get(..self.body.law.parameters().len())?;
         let start = self.start_of(values)?;
         let mut key = law.to_vec();
@@ -207,16 +206,16 @@ impl<'a> TrackModel<'a> {
             }
             Turning::Radius | Turning::Ratio => key.extend(self.speeds(values)),
         }
-        let mut kept = self.kept.borrow_mut();
+        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(at) = kept.iter().position(|known| known.key == key) {
             kept[..=at].rotate_right(1);
-            return kept.first().map(|known| Rc::clone(&known.places));
+            return kept.first().map(|known| Arc::clone(&known.places));
         }
-        let places: Rc<[Place]> = self.motion(values, &self.times)?.into();
+        let places: Arc<[Place]> = self.motion(values, &self.times)?.into();
         kept.truncate(KEPT - 1);
         let known = Followed {
             key,
-            places: Rc::clone(&places),
+            places: Arc::clone(&places),
         };
         kept.insert(0, known);
         Some(places)
@@ -287,7 +286,7 @@ impl Model for TrackModel<'_> {
         values
     }
 
-    fn project_to_valid(&self, values: &mut [f64], is_free: &[bool]) {
-        self.body.law.project_to_valid(values, is_free);
+    fn above(&self, parameter: usize) -> Option<usize> {
+        self.body.law.above(parameter)
     }
 }

@@ -1,7 +1,7 @@
 //! Residuals of a film over its noise, and the frames that are left out.
 
-use super::super::jacobian::DifferenceScale;
-use super::super::minimise::{Minimum, Problem, minimise};
+use super::super::jacobian::{DifferenceScale, Order};
+use super::super::minimise::{Minimum, OFFSET, Problem, minimise};
 use super::super::parameter::{Model, Range};
 use super::super::unknowns::Unknowns;
 use super::film::Track;
@@ -143,10 +143,10 @@ impl<'a> Weighted<'a> {
         let grain = f64::EPSILON * self.size();
         let problem = Problem {
             residuals: &|q: &[f64]| self.residuals(unknowns, q),
-            repair: &|q: &mut [f64]| unknowns.repair(q),
             bounds: self.bounds(unknowns),
             lengths: self.lengths(unknowns),
             floor: grain * grain,
+            offset: OFFSET,
         };
         minimise(&problem, place, &mut |_| ())
     }
@@ -166,13 +166,13 @@ impl<'a> Weighted<'a> {
         let unknowns = &self.unknowns;
         let problem = Problem {
             residuals: &|q: &[f64]| self.residuals(unknowns, q),
-            repair: &|_: &mut [f64]| (),
             bounds: self.bounds(unknowns),
             lengths: self.lengths(unknowns),
             floor: 0.0,
+            offset: OFFSET,
         };
         let here = self.residuals(unknowns, q)?;
-        let slopes = problem.slopes(q, &here)?;
+        let slopes = problem.slopes(q, &here, Order::Fourth)?;
         Some((here, slopes))
     }
 

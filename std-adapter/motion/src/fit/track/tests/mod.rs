@@ -1,7 +1,10 @@
 mod filmed;
+mod laws;
+mod odd;
 
 use super::*;
 use filmed::{Disk, Filmed, GRAVITY};
+use nalgebra::{Matrix3, Vector3};
 use std::time::Instant;
 use tribos_base::random::Random;
 
@@ -82,19 +85,6 @@ impl Tally {
             }
         }
         self.parabola.push(parabola(body, track) / body.mu - 1.0);
-        if std::env::var_os("EACH").is_some() {
-            println!(
-                "{body:?} {:?} {:#?}",
-                fit.warnings,
-                fit.parameters
-                    .iter()
-                    .map(|p| format!(
-                        "{} {} {:?} {:?}",
-                        p.parameter.name, p.value, p.known, p.interval
-                    ))
-                    .collect::<Vec<_>>()
-            );
-        }
     }
 }
 
@@ -114,7 +104,17 @@ fn parabola(body: &Filmed, track: &Track) -> f64 {
         .zip(track.y())
         .map(|(x, y)| cos * x + sin * y)
         .collect();
-    -2.0 * start::parabola(&times, &way)[2] / GRAVITY
+    // Normal equations of 1, t, t².
+    let sum = |k: i32, values: &[f64]| -> f64 {
+        times.iter().zip(values).map(|(t, x)| t.powi(k) * x).sum()
+    };
+    let ones = vec![1.0; way.len()];
+    let matrix = Matrix3::from_fn(|i, j| sum((i + j) as i32, &ones));
+    let wanted = Vector3::from_fn(|i, _| sum(i as i32, &way));
+    let found = matrix
+        .try_inverse()
+        .map_or(Vector3::zeros(), |inverse| inverse * wanted);
+    -2.0 * found[2] / GRAVITY
 }
 
 fn quantile(values: &[f64], share: f64) -> f64 {
@@ -169,6 +169,27 @@ impl Tally {
     }
 }
 
+/// Twenty films with the angle: the medians are far within 2 % and 15 %, and few intervals miss.
+#[test]
+fn films_of_disks_give_coefficient_and_radius_back() {
+    let tally = Tally::of(20, 11, true);
+    assert_eq!(tally.failed, 0);
+    assert!(
+        quantile(&tally.mu, 0.5) < 0.005 && quantile(&tally.mu, 0.8) < 0.02,
+        "{:?}",
+        tally.mu
+    );
+    assert!(quantile(&tally.radius, 0.5) < 0.05, "{:?}", tally.radius);
+    let sizes: Vec<f64> = tally.parabola.iter().map(|x| x.abs()).collect();
+    assert!(quantile(&sizes, 0.5) > 0.05, "{sizes:?}");
+    let [inside, of] = tally
+        .covered
+        .values()
+        .fold([0, 0], |[a, b], [c, d]| [a + c, b + d]);
+    assert!(inside as f64 > 0.88 * of as f64, "{inside} of {of}");
+    assert!(tally.agreed >= 18);
+}
+
 #[test]
 #[ignore = "500 films: cargo test -p tribos-motion --lib five_hundred_films -- --ignored --nocapture"]
 fn five_hundred_films() {
@@ -178,53 +199,4 @@ fn five_hundred_films() {
         .unwrap_or(250);
     Tally::of(count, 7, true).print("with the angle");
     Tally::of(count, 8, false).print("without the angle");
-}
-#[test]
-#[ignore = "timing"]
-fn timing() {
-    let mut random = Random::new(7, 0);
-    let disk = Disk::new();
-    for _ in 0..10 {
-        let body = Filmed::random(&mut random);
-        let track = disk.film(&body, &mut random, true);
-        let options = TrackOptions::default();
-        let floor = body::Body::new(
-            &options.patch,
-            options.law,
-            options.gravity,
-            options.inertia_ratio,
-        )
-        .unwrap();
-        let times: Vec<f64> = track.times().iter().map(|t| t - 1.5).collect();
-        let begun = Instant::now();
-        for k in 0..20 {
-            let speeds = [
-                body.speed * (1.0 + 1e-6 * f64::from(k)),
-                body.spin.abs() * body.radius,
-            ];
-            floor.roll_out(&[body.mu], speeds, &times).unwrap();
-        }
-        let path = begun.elapsed().as_secs_f64() / 20.0;
-        let model = model::TrackModel::new(&track, &floor);
-        let unknowns = super::super::unknowns::Unknowns::new(&model, &[]).unwrap();
-        let film = weighted::Weighted::new(&model, unknowns, weighted::first_noise(&track));
-        for index in 0..8 {
-            use super::super::parameter::Model;
-            let values = model.start(&super::super::halton::halton(index, 3));
-            let q = film.unknowns.coordinates(&values);
-            let begun = Instant::now();
-            let end = film.minimum(&film.unknowns, &q);
-            println!(
-                "  {:?} s, {:?}",
-                begun.elapsed().as_secs_f64(),
-                end.map(|end| (
-                    end.cost,
-                    end.converged,
-                    end.iterations,
-                    film.unknowns.values(&end.q)
-                ))
-            );
-        }
-        println!("{body:?} {} frames, path {path:e} s", times.len());
-    }
 }
