@@ -73,9 +73,9 @@ pub struct Arguments {
     #[arg(long, default_value = "16", value_parser = starts)]
     starts: NonZero<usize>,
     #[command(flatten)]
-    film: track::Options,
+    film: track::FilmArguments,
     #[command(flatten)]
-    strokes: strokes::Options,
+    strokes: strokes::StrokeArguments,
     /// Measured pushes, a table with the columns dx,dy,dtheta,fx,fy,torque (`-` for standard input).
     #[arg(long, value_name = "PUSHES.csv", conflicts_with_all = ["data", "law", "load", "inertia", "offset", "spring", "fixed", "starts", "strokes", "track", "look"])]
     support: Option<PathBuf>,

@@ -19,7 +19,7 @@ use tribos_report::image;
 
 /// Options of `--strokes`.
 #[derive(Clone, Copy, Debug, clap::Args)]
-pub struct Options {
+pub struct StrokeArguments {
     /// Take a record over time apart into strokes: columns t,f and v or x, perhaps load; without v and x strokes are
     /// divided by the sign of f.
     #[arg(long, requires = "data", conflicts_with_all = ["law", "fixed", "starts"])]
@@ -52,7 +52,7 @@ pub fn execute(
     file: &Path,
     log: &LogOptions,
     load: Option<f64>,
-    options: &Options,
+    options: &StrokeArguments,
     (format, out): (Format, Option<&Path>),
 ) -> Result<(), Failure> {
     let (record, told) = read(file, log, load)?;

@@ -103,7 +103,7 @@ impl<'a> Mounted<'a> {
 }
 
 /// Slopes of the velocity by the differences of a point's neighbours.
-fn differences(times: &[f64], velocities: &[f64]) -> Vec<f64> {
+pub(super) fn differences(times: &[f64], velocities: &[f64]) -> Vec<f64> {
     let last = times.len().saturating_sub(1);
     let slope = |i: usize| {
         let (before, after) = (i.saturating_sub(1), (i + 1).min(last));

@@ -48,6 +48,18 @@ pub enum Caution {
         /// Correlation of neighbours.
         lag_one: f64,
     },
+    /// Residuals hold a constant force.
+    Offset {
+        /// In the unit of friction.
+        value: f64,
+    },
+    /// Residuals follow the acceleration.
+    Inertia {
+        /// Force over acceleration.
+        value: f64,
+    },
+    /// Residuals of steady sliding follow each other over the velocity.
+    Curved,
     /// Residuals drift with time.
     Drift {
         /// From the first to the last point, in the unit of friction.
@@ -129,6 +141,18 @@ impl fmt::Display for Caution {
                 f,
                 "residuals follow each other (correlation of neighbours {lag_one:.2}): the law lacks something or the \
                  noise is filtered; errors are enlarged {factor:.1} times for it"
+            ),
+            Self::Offset { value } => write!(
+                f,
+                "the directions differ: residuals hold a constant {value:.3e}; fit it by --offset"
+            ),
+            Self::Inertia { value } => write!(
+                f,
+                "residuals follow the acceleration, as an inertia of {value:.3e} would; fit it by --inertia"
+            ),
+            Self::Curved => write!(
+                f,
+                "residuals follow each other over the velocity: another curve fits better; try --law all"
             ),
             Self::Drift { change } => write!(
                 f,

@@ -42,6 +42,7 @@ mod data;
 mod error;
 mod estimate;
 mod halton;
+mod hints;
 mod interval;
 mod jacobian;
 mod law;

@@ -3,6 +3,7 @@
 use super::caution::{Caution, cautions};
 use super::error::FitError;
 use super::estimate::{Estimate, Fit};
+use super::hints::hints;
 use super::interval::{Profile, Profiled, student};
 use super::jacobian::Order;
 use super::linearised::Linearised;
@@ -14,7 +15,7 @@ use super::standard_errors::Certainties;
 
 /// Steps of a record, times free parameters, up to which intervals come from profiles: beyond, errors are so small that
 /// the law is linear within them.
-const MOST_PROFILED: usize = 200_000;
+const MOST_PROFILED: usize = 1_000_000;
 /// Probability of the residuals' runs below which correlation over time enlarges the errors.
 pub(super) const CORRELATED: f64 = 1e-4;
 
@@ -107,7 +108,11 @@ impl Certified {
         };
         let left = [refined.by_steps.map(name), refined.by_course.map(name)];
         let mut all: Vec<Caution> = cautions(&fit, tests.as_ref(), left);
-        fit.cautions.append(&mut all);
+        let left = data.friction().iter().zip(&fit.predictions);
+        let left: Vec<f64> = left.map(|(f, p)| f - p).collect();
+        let has = |name: &str| fit.parameters.iter().any(|e| e.parameter.name == name);
+        all.extend(hints(data, &left, factor, has));
+        fit.cautions = all;
         Ok(Self::Fit(Box::new(fit)))
     }
 }

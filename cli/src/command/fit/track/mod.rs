@@ -22,7 +22,7 @@ const FILES: [&str; 4] = ["residuals.csv", "fit.toml", "fit.svg", "fit.png"];
 
 /// Options of a filmed body.
 #[derive(Debug, clap::Args)]
-pub struct Options {
+pub struct FilmArguments {
     /// Follow a film: columns t,x,y [s, m, m] and perhaps angle [rad] of a body that slides on a level floor. A tilted
     /// floor is not in the fit.
     #[arg(long, requires = "data", conflicts_with_all = ["load", "inertia", "offset", "spring", "strokes"])]
@@ -65,7 +65,7 @@ pub struct Common<'a> {
     pub out: Option<&'a Path>,
 }
 
-impl Options {
+impl FilmArguments {
     /// Fits, writes and prints.
     pub fn execute(&self, film: &Path, common: &Common<'_>) -> Result<(), Failure> {
         let read = self.read(film, &common.log)?;

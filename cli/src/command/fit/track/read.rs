@@ -1,6 +1,6 @@
 //! The frames of a film.
 
-use super::Options;
+use super::FilmArguments;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use tribos::fit::track::Track;
@@ -35,7 +35,7 @@ impl Film {
     }
 }
 
-impl Options {
+impl FilmArguments {
     /// Reads t,x,y and perhaps angle, in SI units.
     pub(super) fn read(&self, path: &Path, options: &LogOptions) -> Result<Film, Failure> {
         let mut log = read_log(path, &ROLES, options)?;

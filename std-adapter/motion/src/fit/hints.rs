@@ -1,0 +1,64 @@
+//! What residuals say of the machine: a constant force, an inertia, a curve that the law does not have.
+
+use super::apparatus::differences;
+use super::caution::Caution;
+use super::data::Measurements;
+use super::residual_tests::residual_tests;
+use super::result::CORRELATED;
+
+/// Standard errors from which on a hint is believed.
+const BELIEVED: f64 = 5.0;
+/// Share of the residuals' squares that it must explain.
+const SHARE: f64 = 0.05;
+/// Points of each direction that tell an offset.
+const ENOUGH: usize = 5;
+
+/// Hints from residuals: measured less fitted friction. `factor` is that of their correlation, and `has` tells whether a
+/// parameter is in the fit.
+pub(super) fn hints(
+    data: &Measurements,
+    residuals: &[f64],
+    factor: f64,
+    has: impl Fn(&str) -> bool,
+) -> Vec<Caution> {
+    let mut all = Vec::new();
+    let velocities = data.velocities();
+    let of_sign = |sign: f64| velocities.iter().filter(|v| **v * sign > 0.0).count();
+    if !has("offset") && of_sign(1.0) >= ENOUGH && of_sign(-1.0) >= ENOUGH {
+        let ones = vec![1.0; residuals.len()];
+        all.extend(explained(residuals, &ones, factor).map(|value| Caution::Offset { value }));
+    }
+    if let (Some(times), false) = (data.times(), has("inertia")) {
+        let accelerations = differences(times, velocities);
+        let value = explained(residuals, &accelerations, factor);
+        all.extend(value.map(|value| Caution::Inertia { value }));
+    }
+    if data.times().is_none() {
+        all.extend(curved(data, residuals));
+    }
+    all
+}
+
+/// The slope of residuals over something that they follow.
+fn explained(residuals: &[f64], along: &[f64], factor: f64) -> Option<f64> {
+    let product: f64 = residuals.iter().zip(along).map(|(r, x)| r * x).sum();
+    let [squares, length] = [residuals, along].map(|x| x.iter().map(|x| x * x).sum::<f64>());
+    let share = product * product / (squares * length);
+    let points = residuals.len() as f64 / (factor * factor);
+    // Of the correlation: t² = n share/(1 − share).
+    let is_told = share > SHARE && points * share > BELIEVED * BELIEVED * (1.0 - share);
+    is_told.then_some(product / length)
+}
+
+/// Whether residuals of steady sliding follow each other over the velocity.
+fn curved(data: &Measurements, residuals: &[f64]) -> Option<Caution> {
+    let velocities = data.velocities();
+    let mut order: Vec<usize> = (0..residuals.len()).collect();
+    order.sort_by(|&a, &b| velocities[a].total_cmp(&velocities[b]).then(a.cmp(&b)));
+    let weighed: Vec<f64> = order
+        .iter()
+        .map(|&i| residuals[i] / data.sigma().map_or(1.0, |sigma| sigma[i]))
+        .collect();
+    let tests = residual_tests(&weighed, None)?;
+    (tests.runs_p < CORRELATED && tests.runs_z < 0.0).then_some(Caution::Curved)
+}
