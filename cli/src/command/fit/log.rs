@@ -4,20 +4,19 @@ use crate::failure::Failure;
 use std::path::Path;
 use tribos::record::{ColumnChoices, LogOptions, LogRole, UnitChoices, look};
 
-/// Columns of measurements that a fit may read; those that it needs are marked.
-pub const ROLES: [LogRole; 7] = [
+/// Columns of measurements that a fit may read; those that it needs are marked. The position serves where there is no
+/// velocity.
+pub const ROLES: [LogRole; 5] = [
     LogRole::TIME,
     LogRole::VELOCITY.needed(),
     LogRole::FRICTION.needed(),
     LogRole::DEVIATION,
     LogRole::POSITION,
-    LogRole::ACCELERATION,
-    LogRole::LOAD,
 ];
 
-/// How a log is to be read.
+/// How a table is to be read.
 #[derive(Clone, Debug, Default, clap::Args)]
-pub struct LogArguments {
+pub struct TableArguments {
     /// Columns by name or number: t=Time,v="v [mm/s]",f=-3; a minus changes the sign, `none` leaves one out. Without it
     /// the names of the columns decide, in English and German.
     #[arg(long, value_name = "NAME=COLUMN,…")]
@@ -28,6 +27,13 @@ pub struct LogArguments {
     /// Leave out so many lines at the beginning of the file.
     #[arg(long, value_name = "N", default_value = "0", hide_default_value = true)]
     skip: u64,
+}
+
+/// How a log is to be read, or looked at.
+#[derive(Clone, Debug, Default, clap::Args)]
+pub struct LogArguments {
+    #[command(flatten)]
+    table: TableArguments,
     /// Show what is understood of the file, its columns, their ranges and the first rows, and fit nothing.
     #[arg(long)]
     pub look: bool,
@@ -46,7 +52,7 @@ pub enum Format {
     Json,
 }
 
-impl LogArguments {
+impl TableArguments {
     /// The options for the reader.
     pub fn options(&self) -> LogOptions {
         LogOptions {
@@ -54,6 +60,13 @@ impl LogArguments {
             units: self.units.clone().unwrap_or_default(),
             skip: self.skip,
         }
+    }
+}
+
+impl LogArguments {
+    /// The options for the reader.
+    pub fn options(&self) -> LogOptions {
+        self.table.options()
     }
 
     /// Prints the first look at a file.

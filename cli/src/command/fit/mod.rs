@@ -124,7 +124,8 @@ impl Arguments {
     /// Fits, writes and prints.
     pub fn execute(self) -> Result<(), Failure> {
         if let Some(pushes) = &self.support {
-            return support::execute(pushes, self.patch.as_ref(), self.out.as_deref());
+            let options = self.log.options();
+            return support::execute(pushes, &options, self.patch.as_ref(), self.out.as_deref());
         }
         if let Some(data) = self.data.as_ref().filter(|_| self.log.look) {
             return self.log.show(data, &log::ROLES);

@@ -127,7 +127,7 @@ impl Dialect {
             .skip(from)
         {
             let names = self.names(&line.text, width);
-            let is_named = line.is_comment || has_words(row);
+            let is_named = (line.is_comment || has_words(row)) && !is_units(&names, self.decimal);
             let count = if is_named { known(&names) } else { 0 };
             let rank = (count, !line.is_comment && names.len() == width);
             if count > 0 && rank >= (best.0, best.1) {

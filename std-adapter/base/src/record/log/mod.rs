@@ -214,6 +214,7 @@ fn plan(
             return Err(missing(role, headings, width));
         }
     }
+    plan.without_idle_position(roles, options);
     Ok(plan)
 }
 
