@@ -118,6 +118,11 @@ impl Arguments {
                 "a patch of straight edges, triangles or points has its own size: leave out --radius",
             ));
         }
+        if self.pushes.is_none() && !self.table.is_silent() {
+            return Err(Failure::input(
+                "--columns, --units and --skip say how --pushes are read: give a file of pushes",
+            ));
+        }
         let standard_input = Some(Path::new("-"));
         if self.page.is_some() && self.pushes.as_deref() == standard_input {
             return Err(Failure::input(

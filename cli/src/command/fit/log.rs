@@ -17,11 +17,11 @@ pub const ROLES: [LogRole; 5] = [
 /// How a table is to be read.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub struct TableArguments {
-    /// Columns by name or number: t=Time,v="v [mm/s]",f=-3; a minus changes the sign, `none` leaves one out. Without it
-    /// the names of the columns decide, in English and German.
+    /// Columns by name or by number from 1, such as f=Force,v="v [mm/s]" or f=-3; a minus changes the sign, `none`
+    /// leaves one out.
     #[arg(long, value_name = "NAME=COLUMN,…")]
     columns: Option<ColumnChoices>,
-    /// Units of columns, before those in the file: v=mm/s,f=mN.
+    /// Units of columns, before those in the file, such as v=mm/s,f=mN.
     #[arg(long, value_name = "NAME=UNIT,…")]
     units: Option<UnitChoices>,
     /// Leave out so many lines at the beginning of the file.
@@ -53,6 +53,11 @@ pub enum Format {
 }
 
 impl TableArguments {
+    /// Whether nothing is said of a table.
+    pub fn is_silent(&self) -> bool {
+        self.options() == LogOptions::default()
+    }
+
     /// The options for the reader.
     pub fn options(&self) -> LogOptions {
         LogOptions {

@@ -219,6 +219,20 @@ fn units_of_headers_become_si() {
 }
 
 #[test]
+fn what_was_understood_names_columns_and_sizes_of_units() {
+    let made = log("t;v [mm/s];M [A];F [N];COF\n0;1;2;3;4\n").map(|log| log.understood);
+    let wanted = [
+        "a.csv",
+        "semicolons between cells, decimal points",
+        "header in line 1",
+        "t is `t`, taken as s",
+        "v is `v [mm/s]` in mm/s, of 0.001 m/s each",
+        "f is `COF`",
+    ];
+    assert_eq!(made, Ok(wanted.map(String::from).to_vec()));
+}
+
+#[test]
 fn names_of_other_quantities_are_not_taken() {
     // A temperature is no time, a normal force no friction, and its own name comes before a usual one.
     let made = columns(log("T [°C],v,speed,F_N,f_N\n20,3,4,10,2\n"));
