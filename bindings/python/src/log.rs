@@ -68,7 +68,6 @@ fn result<'py>(py: Python<'py>, log: Log) -> PyResult<Bound<'py, PyDict>> {
 
 /// Reads the columns of roles from a file.
 #[pyfunction]
-#[pyo3(name = "read_log")]
 pub fn read_file<'py>(
     py: Python<'py>,
     path: PathBuf,

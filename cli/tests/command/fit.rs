@@ -221,7 +221,7 @@ fn a_first_look_needs_no_law_and_shows_the_cure() -> Outcome {
     let json = fit(folder.path(), "log.txt --look --format json")?;
     let json: serde_json::Value = serde_json::from_str(&json)?;
     assert_eq!(json["columns"][2]["role"], "v");
-    assert_eq!(json["columns"][1]["words"], 301);
+    assert_eq!(json["columns"][1]["words"], 302);
     // Two speeds: one is named.
     std::fs::write(
         folder.path().join("two.csv"),

@@ -84,7 +84,10 @@ impl Dialect {
             let is_units = found.units.is_none() && is_units(&cells, decimal);
             if is_units {
                 found.units = Some(found.first);
-            } else if below == WordsBelow::Rows || line.is_comment {
+            } else if below == WordsBelow::Rows
+                || rows.get(found.first).is_some_and(|row| has_number(row))
+            {
+                // A row with a fault is a row.
                 break;
             }
             found.first += 1;
@@ -115,9 +118,7 @@ impl Dialect {
         (from, width): (usize, usize),
         known: &mut dyn FnMut(&[&str]) -> usize,
     ) -> Option<usize> {
-        let has_words = |row: &[Cell]| {
-            row.contains(&Cell::Word) && !row.iter().any(|cell| matches!(cell, Cell::Number(_)))
-        };
+        let has_words = |row: &[Cell]| row.contains(&Cell::Word) && !has_number(row);
         let mut best = (0, false, None);
         for (at, (line, row)) in head
             .iter()
@@ -157,6 +158,11 @@ impl Dialect {
             _ => last.or((self.first >= head.len() && !none_above).then_some(from)),
         }
     }
+}
+
+/// Whether a cell of a row is a number.
+fn has_number(row: &[Cell]) -> bool {
+    row.iter().any(|cell| matches!(cell, Cell::Number(_)))
 }
 
 /// The mark in a first line `sep=;`, as spreadsheets write it.

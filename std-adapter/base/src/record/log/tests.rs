@@ -403,6 +403,7 @@ fn refusals_say_what_and_where_and_what_cures() {
                 "1 `v`, 2 `f`",
             ],
         ),
+        ("v,f\nabc,1\n2,3\n4,5\n", "", "", &["a.csv:2: v is `abc`"]),
         ("Speed,f\n1,2\n", "v=Sped", "", &["did you mean `Speed`?"]),
         (
             "v,f\n1,2\n",
