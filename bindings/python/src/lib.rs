@@ -13,6 +13,7 @@ mod friction;
 mod gradients;
 mod inverse;
 mod law;
+mod log;
 mod manifold;
 mod model;
 mod modes;
@@ -56,6 +57,8 @@ mod _native {
     use inverse::launches;
     #[pymodule_export]
     use law::{Law, laws};
+    #[pymodule_export]
+    use log::{log_columns, log_places, look_at, read_file, read_pushes};
     #[pymodule_export]
     use manifold::Manifold;
     #[pymodule_export]

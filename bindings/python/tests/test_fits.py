@@ -241,7 +241,7 @@ def test_a_fit_reads_well(unknown: tribos.SupportFit) -> None:
         (lambda: tribos.fit("glue", {"v": [1.0], "f": [1.0]}), "law to fit"),
         (
             lambda: tribos.fit("power", {"v": [1.0], "g": [1.0]}),
-            "no column f; the columns are v, g",
+            "no column for f .*the columns are 1 `v`, 2 `g`",
         ),
         (lambda: tribos.fit("power", [1.0, 2.0]), "a table with the columns v, f"),
         (lambda: tribos.fit("power", {"v": [1.0, 2.0], "f": [1.0]}), "different lengths"),
@@ -273,11 +273,13 @@ def test_a_wrong_line_of_a_file_is_named(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=r"data\.csv:4: .*abc"):
         tribos.fit("power", path)
     path.write_text("v,f\n1,0.3,7\n")
-    with pytest.raises(ValueError, match=r"data\.csv:2: 3 cells, but 2 columns"):
+    with pytest.raises(ValueError, match=r"data\.csv:2: 3 cells between commas instead of 2"):
         tribos.fit("power", path)
     path.write_text("")
-    with pytest.raises(ValueError, match="is empty"):
+    with pytest.raises(ValueError, match=r"data\.csv:1: no column for v"):
         tribos.fit("power", path)
+    with pytest.raises(FileNotFoundError):
+        tribos.fit("power", tmp_path / "nowhere.csv")
 
 
 def reciprocating(strokes: int, rows: int = 200) -> dict[str, Any]:
@@ -320,3 +322,31 @@ def test_strokes_are_those_of_the_command() -> None:
     assert found.run_in == wanted["run_in"]["after"] and list(found.notes) == wanted["notes"]
     means = [stroke["mean"] for stroke in wanted["strokes"]]
     np.testing.assert_array_equal(found.mean, means)
+
+
+def test_logs_are_read_as_they_are(tmp_path: Path) -> None:
+    wanted = fit_power()
+    path = tmp_path / "log.txt"
+    lines = ["Rig 7", "Geschwindigkeit [mm/s];Bemerkung;Reibwert", "1000;;0,3", "2000;x;0,2"]
+    path.write_text("\n".join([*lines, "2500;;", "3000;;0,1"]), encoding="utf-16")
+    found = tribos.fit("power", path)
+    assert found.parameters == pytest.approx(wanted.parameters)
+    assert found.dropped == {"with an empty cell": 1}
+    assert 'v from "Geschwindigkeit [mm/s]" in mm/s' in found.read[0]
+    seen = tribos.look(path)
+    assert [column["role"] for column in seen.columns] == ["v", None, "f"]
+    assert seen.columns[1]["words"] == 1 and seen.rows == 4 and seen.trouble is None
+    assert "decimal commas" in repr(seen)
+
+
+def test_tables_with_other_names_and_units_are_the_same_tables() -> None:
+    wanted = fit_power()
+    table = {"Speed [mm/s]": [1e3, 2e3, np.nan, 3e3], "COF": [0.3, 0.2, 9.0, 0.1], "note": list("abcd")}
+    found = tribos.fit("power", table)
+    assert found.parameters == pytest.approx(wanted.parameters) and found.dropped == {"with NaN": 1}
+    table = {"a": [1e3, 2e3, 3e3], "b": [-0.3, -0.2, -0.1]}
+    found = tribos.fit("power", table, columns={"v": 1, "f": "-b"}, units={"v": "mm/s"})
+    assert found.parameters == pytest.approx(wanted.parameters)
+    with pytest.raises(ValueError, match="columns v: there is no column `c`"):
+        tribos.fit("power", table, columns={"v": "c", "f": "b"})
+    assert wanted.read == () and wanted.dropped == {}

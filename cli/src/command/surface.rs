@@ -1,5 +1,6 @@
 //! `tribos surface`: the limit surface of a patch as a table and a picture; pushes and their motions.
 
+use super::fit::log::TableArguments;
 use super::wrench::{centre, patches};
 use super::{digits, file, number, spool};
 use crate::failure::Failure;
@@ -44,6 +45,8 @@ pub struct Arguments {
     /// CSV file with columns `force_x,force_y,torque`, one push a line (`-` for standard input).
     #[arg(long, value_name = "FILE", conflicts_with = "points")]
     pushes: Option<PathBuf>,
+    #[command(flatten)]
+    table: TableArguments,
     /// Number of points of the table [default: 1000].
     #[arg(long, value_parser = number::whole(1..=10_000_000))]
     points: Option<u32>,
@@ -115,6 +118,11 @@ impl Arguments {
                 "a patch of straight edges, triangles or points has its own size: leave out --radius",
             ));
         }
+        if self.pushes.is_none() && !self.table.is_silent() {
+            return Err(Failure::input(
+                "--columns, --units and --skip say how --pushes are read: give a file of pushes",
+            ));
+        }
         let standard_input = Some(Path::new("-"));
         if self.page.is_some() && self.pushes.as_deref() == standard_input {
             return Err(Failure::input(
@@ -128,7 +136,8 @@ impl Arguments {
             super::note(format_args!("written to    {}", path.display()));
         }
         if let Some(path) = &self.page {
-            let pushes = self.pushes.as_deref().map_or(Ok(Vec::new()), read)?;
+            let pushes = self.pushes.as_deref();
+            let pushes = pushes.map_or(Ok(Vec::new()), |file| read(file, &self.table))?;
             let page = page(&self.patch, &*set, pushes);
             write_atomically(path, page.html().as_bytes())?;
             super::note(format_args!("written to    {}", path.display()));
@@ -170,7 +179,7 @@ impl Arguments {
 
     /// Gauge and motion of every push of a file.
     fn judge(&self, file: &Path, set: &dyn FrictionSet<f64>) -> Result<(), Failure> {
-        let mut rows = Rows::asked_for(file, |_| &PUSH)?;
+        let mut rows = Rows::with_options(file, &self.table.options(), |_| &PUSH)?;
         spool::deliver(self.output.as_deref(), |sink| {
             sink.put(&series_csv(&JUDGED, []))?;
             let mut push = [0.0; 3];
@@ -186,13 +195,9 @@ impl Arguments {
 }
 
 /// All pushes of a file.
-fn read(file: &Path) -> Result<Vec<[f64; 3]>, Failure> {
-    let mut rows = Rows::asked_for(file, |_| &PUSH)?;
-    let (mut pushes, mut push) = (Vec::new(), [0.0; 3]);
-    while rows.next(&mut push)?.is_some() {
-        pushes.push(push);
-    }
-    Ok(pushes)
+fn read(file: &Path, table: &TableArguments) -> Result<Vec<[f64; 3]>, Failure> {
+    let rows = Rows::with_options(file, &table.options(), |_| &PUSH)?;
+    Ok(rows.all(usize::MAX)?)
 }
 
 /// What the set carries at most, for people.

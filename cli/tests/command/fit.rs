@@ -198,6 +198,105 @@ fn a_record_is_taken_apart_stroke_by_stroke() -> Outcome {
     Ok(())
 }
 
+/// A record of LuGre's joint as a German machine writes it.
+fn machine_log() -> Result<String, Error> {
+    let text = std::fs::read_to_string(data("joint.csv"))?;
+    let rows = text.lines().filter(|line| !line.starts_with('#')).skip(1);
+    let mut log = String::from(
+        "Prüfstand 7\nLast;12,5\n\nZeit;Kommentar;Geschwindigkeit;Reibkraft\ns;;mm/s;mN\n",
+    );
+    for row in rows {
+        let mut cells = row.split(',').map(str::parse::<f64>);
+        let mut next = || cells.next().ok_or("a row of three numbers");
+        let (t, v, f) = (next()??, next()??, next()??);
+        log += &format!("{t};ja;{};{}\n", 1e3 * v, 1e3 * f).replace('.', ",");
+    }
+    // Marks of gaps, and the last row once more.
+    log += "9,9;nein;#NV;1\n9,9;;;1\n";
+    Ok(log)
+}
+
+#[test]
+fn a_log_as_a_machine_writes_it_gives_the_fit_of_the_prepared_table() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let log = machine_log()?;
+    // One byte a letter.
+    let bytes: Vec<u8> = log
+        .chars()
+        .map(|letter| u8::try_from(letter).unwrap_or(b'?'))
+        .collect();
+    std::fs::write(folder.path().join("log.txt"), bytes)?;
+    let told = fit(folder.path(), "--law lugre log.txt --out out")?;
+    let mut lines = told.lines();
+    let read = "read          Latin-1, semicolons, decimal commas, 2 lines before the header, t from \"Zeit\" in s, \
+                v from \"Geschwindigkeit\" in mm/s, f from \"Reibkraft\" in mN";
+    assert_eq!(lines.next(), Some(read));
+    let dropped = "read          2 rows dropped: 1 with an empty cell, 1 with NaN";
+    assert_eq!(lines.next(), Some(dropped));
+    fit(
+        folder.path(),
+        &format!("--law lugre {} --out prepared", data("joint.csv")),
+    )?;
+    for name in ["fc", "fs", "vs", "s0", "s1", "s2"] {
+        let [made, wanted] =
+            ["out", "prepared"].map(|out| parameter(&folder.path().join(out), name));
+        let ([made, error], [wanted, _]) = (made?, wanted?);
+        assert!(
+            (made - wanted).abs() < 1e-3 * error,
+            "{name}: {made} {wanted}"
+        );
+    }
+    Ok(())
+}
+
+#[test]
+fn a_first_look_needs_no_law_and_shows_the_cure() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    std::fs::write(folder.path().join("log.txt"), machine_log()?)?;
+    let told = fit(folder.path(), "--look log.txt")?;
+    assert_has(
+        &told,
+        &[
+            "semicolons between cells, decimal commas",
+            "header in line 4",
+            "units in line 5",
+            "mm/s",
+            "first rows",
+        ],
+    );
+    let json = fit(folder.path(), "log.txt --look --format json")?;
+    let json: serde_json::Value = serde_json::from_str(&json)?;
+    assert_eq!(json["columns"][2]["role"], "v");
+    assert_eq!(json["columns"][1]["words"], 302);
+    // Two speeds: one is named.
+    std::fs::write(
+        folder.path().join("two.csv"),
+        "Speed,Velocity,COF\n1,1000,0.3\n2,2000,0.2\n3,3000,0.1\n4,4000,0.1\n",
+    )?;
+    let said = tribos(folder.path(), "fit --law power two.csv")?;
+    assert_eq!(said.0, Some(2));
+    assert_has(
+        &said.2,
+        &[
+            "two.csv:1: `Speed` and `Velocity` may both be v",
+            "--columns v=\"Speed\"",
+            "--look",
+        ],
+    );
+    let by_name = fit(
+        folder.path(),
+        "--law power two.csv --columns v=Velocity --units v=mm/s",
+    )?;
+    let by_number = fit(folder.path(), "--law power two.csv --columns v=1,f=COF")?;
+    let law = |told: &str| {
+        told.lines()
+            .find(|line| line.starts_with("as a law"))
+            .map(str::to_owned)
+    };
+    assert_eq!(law(&by_name), law(&by_number));
+    Ok(())
+}
+
 #[test]
 fn strokes_that_cannot_be_found_are_refused_with_a_reason() -> Outcome {
     let folder = tempfile::tempdir()?;
@@ -221,5 +320,24 @@ fn strokes_that_cannot_be_found_are_refused_with_a_reason() -> Outcome {
         assert_eq!(code, Some(2), "{text:?}");
         assert!(told.contains(reason), "{text:?}: {told}");
     }
+    Ok(())
+}
+
+fn pushes_of_a_spreadsheet_are_the_same_pushes() -> Outcome {
+    let folder = tempfile::tempdir()?;
+    let text = std::fs::read_to_string(data("pushes.csv"))?;
+    let rows = text.lines().filter(|line| !line.starts_with('#'));
+    let sheet: String = rows
+        .map(|row| row.replace(',', ";").replace('.', ",") + "\r\n")
+        .collect();
+    std::fs::write(
+        folder.path().join("sheet.csv"),
+        sheet.replacen("fx;", "Kraft;", 1),
+    )?;
+    let made = fit(folder.path(), "--support sheet.csv --columns fx=Kraft")?;
+    assert_eq!(
+        made,
+        fit(folder.path(), &format!("--support {}", data("pushes.csv")))?
+    );
     Ok(())
 }

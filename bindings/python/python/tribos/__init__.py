@@ -29,6 +29,7 @@ from tribos._gradients import (
 )
 from tribos._inverse import Launch, inverse
 from tribos._laws import Law, laws
+from tribos._log import Look, look
 from tribos._manifold import ContactForce, Manifold, SolverReport
 from tribos._modes import FixedPoint, Modes, modes
 from tribos._patches import *  # noqa: F403 - every patch
@@ -79,6 +80,7 @@ __all__ = [
     "LawFit",
     "LimitSurface",
     "LineContact",
+    "Look",
     "LuGre",
     "Manifold",
     "Modes",
@@ -113,6 +115,7 @@ __all__ = [
     "fit_track",
     "inverse",
     "laws",
+    "look",
     "md",
     "modes",
     "motion_cone",

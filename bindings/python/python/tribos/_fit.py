@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -14,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from tribos import _native
 from tribos._checks import number, positive
 from tribos._laws import Law
+from tribos._log import column, names_of, read, read_pushes
 from tribos._patches import Patch, outline, points
 from tribos._surface import LimitSurface
 
@@ -73,6 +73,10 @@ class LawFit:
         Whether rounding alone limited further descent.
     starts, at_best : int
         Starts from which a search was possible, and those that ended at the best minimum.
+    read : tuple of str
+        What was understood of data that are not in columns of SI named v, f and the like.
+    dropped : dict of str to int
+        Numbers of rows that were left out, by reason.
     """
 
     name: str
@@ -86,6 +90,8 @@ class LawFit:
     starts: int
     at_best: int
     is_record: bool
+    read: tuple[str, ...] = ()
+    dropped: dict[str, int] = field(default_factory=dict)
 
     @property
     def parameters(self) -> dict[str, float]:
@@ -127,7 +133,7 @@ class LawFit:
             wanted = "times as well" if self.is_record else "speeds alone"
             raise ValueError(f"this fit predicts from {wanted}")
         velocities = np.asarray(speeds, dtype=np.float64)
-        moments = None if times is None else _column("times", times).tolist()
+        moments = None if times is None else column("times", times).tolist()
         values = [estimate.value for estimate in self.estimates]
         made = _native.predict_law(self.name, velocities.ravel().tolist(), moments, values)
         return np.array(made).reshape(velocities.shape)[()]
@@ -202,6 +208,9 @@ def fit(
     law: str,
     data: Any,
     *,
+    columns: Mapping[str, str | int] | None = None,
+    units: Mapping[str, str] | None = None,
+    skip: int = 0,
     load: float | None = None,
     fixed: Mapping[str, float] | None = None,
     starts: int = 16,
@@ -216,7 +225,16 @@ def fit(
         A table with the columns ``v`` and ``f``: friction of steady sliding at speeds in m/s; or ``t``,
         ``v`` and ``f``: a record over time in s, for laws with a memory; either with ``sigma``, the
         standard deviation of f. A mapping of columns, a structured array, a data frame, or the path of a
-        CSV file whose header has these names and whose lines with ``#`` are comments.
+        file with commas, semicolons, tabs or blanks between columns. Usual names in English and German
+        and units in names, such as ``"Speed [mm/s]"``, are understood: `look` shows how. Rows without a
+        number, and rows whose time does not rise, are dropped.
+    columns
+        Names or numbers from 1 of columns, such as ``{"t": "Time", "f": "-Fx"}``: a minus changes the
+        sign, ``"none"`` leaves a column out.
+    units
+        Units of columns, before those in their names, such as ``{"v": "mm/s"}``.
+    skip
+        Lines at the beginning of a file that are left out.
     load
         Load in N at which f was measured as a force; friction is divided by it. None for coefficients.
     fixed
@@ -237,7 +255,8 @@ def fit(
     >>> {name: round(value, 3) for name, value in found.parameters.items()}
     {'gamma': 0.008, 'alpha': -0.499}
     """
-    table = _table(data, ("v", "f"), ("t", "sigma"))
+    log = read(data, columns, units, skip)
+    table = log.columns
     scale = 1.0 if load is None else positive("load", load)
     count = int(starts)
     if not 0 < count <= 10_000:
@@ -245,13 +264,13 @@ def fit(
     keep = [(str(name), number(name, value)) for name, value in (fixed or {}).items()]
     times = table.get("t")
     sigma = table.get("sigma")
-    columns = (
+    measured = (
         table["v"].tolist(),
         (table["f"] / scale).tolist(),
         None if times is None else times.tolist(),
         None if sigma is None else (sigma / scale).tolist(),
     )
-    made = _native.fit_law(law, columns, keep, count)
+    made = _native.fit_law(law, measured, keep, count)
     free = sum(row["state"] == "determined" for row in made["estimates"])
     estimates = [
         Estimate(**{**row, "trades_with": tuple(row["trades_with"])}) for row in made["estimates"]
@@ -268,6 +287,8 @@ def fit(
         starts=made["starts"],
         at_best=made["at_best"],
         is_record=times is not None,
+        read=log.brief,
+        dropped=log.dropped,
     )
 
 
@@ -304,9 +325,10 @@ def fit_support(pushes: Any, patch: Patch | None = None) -> SupportFit:
         rows = np.asarray(pushes, dtype=np.float64)
         if rows.ndim != 2 or rows.shape[1] != 6:
             raise ValueError(f"pushes must have shape (n, 6), not {rows.shape}")
+    elif isinstance(pushes, (str, os.PathLike)):
+        rows = read_pushes(pushes)
     else:
-        table = _table(pushes, _PUSHES, ())
-        rows = np.column_stack([table[name] for name in _PUSHES])
+        rows = _rows(pushes, _PUSHES)
     if patch is not None and not isinstance(patch, Patch):
         raise ValueError(f"the patch must be made by tribos.box and the like, not {patch!r}")
     loops = [] if patch is None else outline(patch)
@@ -322,59 +344,15 @@ def fit_support(pushes: Any, patch: Patch | None = None) -> SupportFit:
     )
 
 
-def _table(data: Any, needed: tuple[str, ...], more: tuple[str, ...]) -> dict[str, Array]:
-    """The columns of a table that are needed, and more where it has them."""
-    source: Any = data
-    if isinstance(data, (str, os.PathLike)):
-        source = _csv(data)
-    if isinstance(source, np.ndarray):
-        names = source.dtype.names or ()
-    elif hasattr(source, "keys"):
-        names = tuple(str(name) for name in source.keys())
-    else:
-        raise ValueError(
-            f"the data must be a table with the columns {', '.join(needed)}: a mapping, a structured "
-            f"array, a data frame or the path of a CSV file, not {type(data).__name__}"
-        )
-    missing = [name for name in needed if name not in names]
+def _rows(table: Any, names: tuple[str, ...]) -> Array:
+    """The columns of these names side by side."""
+    there = names_of(table, names)
+    missing = [name for name in names if name not in there]
     if missing:
         raise ValueError(
-            f"there is no column {', '.join(missing)}; the columns are {', '.join(names) or 'none'}"
+            f"there is no column {', '.join(missing)}; the columns are {', '.join(there) or 'none'}"
         )
-    wanted = [name for name in (*needed, *more) if name in names]
-    return {name: _column(name, source[name]) for name in wanted}
-
-
-def _column(name: str, values: Any) -> Array:
-    try:
-        column = np.asarray(values, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise ValueError(f"{name} must be real numbers: {error}") from None
-    if column.ndim != 1:
-        raise ValueError(f"{name} must have one axis, not {column.ndim}")
-    return column
-
-
-def _csv(path: str | os.PathLike[str]) -> dict[str, Array]:
-    """The columns of a CSV file with a header."""
-    name = os.fspath(path)
-    with open(path, newline="", encoding="utf-8-sig") as file:
-        lines = ((number, line) for number, line in enumerate(file, 1))
-        kept = [(at, line) for at, line in lines if line.strip() and not line.startswith("#")]
-    if not kept:
-        raise ValueError(f"{name} is empty")
-    header, *rows = ((at, next(csv.reader([line]))) for at, line in kept)
-    names = [cell.strip() for cell in header[1]]
-    numbers = []
-    for at, cells in rows:
-        if len(cells) != len(names):
-            raise ValueError(f"{name}:{at}: {len(cells)} cells, but {len(names)} columns")
-        try:
-            numbers.append([float(cell) for cell in cells])
-        except ValueError as error:
-            raise ValueError(f"{name}:{at}: {error}") from None
-    columns = np.array(numbers, dtype=np.float64).reshape(-1, len(names))
-    return {title: columns[:, at] for at, title in enumerate(names)}
+    return np.column_stack([column(name, table[name]) for name in names])
 
 
 def _told(estimate: Estimate) -> tuple[str, str]:

@@ -41,6 +41,9 @@ __all__ = [
     "library_scenes",
     "line_boundary",
     "line_grip",
+    "log_columns",
+    "log_places",
+    "look_at",
     "motion_cone",
     "nearest_side",
     "num_threads",
@@ -50,6 +53,8 @@ __all__ = [
     "push_along",
     "push_modes",
     "pushes",
+    "read_file",
+    "read_pushes",
     "run_at_once",
     "run_scene",
     "scene_of_file",
@@ -60,6 +65,9 @@ __all__ = [
     "vocabularies",
 ]
 __version__: str
+
+_Wanted = list[tuple[str, bool]]
+_Given = tuple[list[tuple[str, str]], list[tuple[str, str]], int]
 
 def command(arguments: list[str]) -> int: ...
 def fit_law(
@@ -91,6 +99,11 @@ def line_boundary(
 def line_grip(
     surface: LimitSurface, force_limit: ArrayLike, ends: list[float], twists: ArrayLike
 ) -> NDArray[Any]: ...
+def log_columns(
+    columns: list[tuple[str, list[float]]], wanted: _Wanted, given: _Given
+) -> dict[str, Any]: ...
+def log_places(names: list[str], wanted: _Wanted, given: _Given) -> list[int]: ...
+def look_at(path: str, wanted: _Wanted, given: _Given) -> tuple[str, str]: ...
 def motion_cone(
     surface: LimitSurface, force_limit: ArrayLike, contacts: ArrayLike
 ) -> NDArray[Any]: ...
@@ -139,6 +152,8 @@ def planar_step(
 def set_num_threads(count: int | None) -> None: ...
 def folder_scene(folder: Path) -> dict[str, Any] | None: ...
 def library_scenes() -> list[tuple[str, str, str]]: ...
+def read_file(path: str, wanted: _Wanted, given: _Given) -> dict[str, Any]: ...
+def read_pushes(path: str, given: _Given) -> list[list[float]]: ...
 def run_at_once(
     name: str, text: str
 ) -> tuple[dict[str, Any], list[str], NDArray[np.float64]] | None: ...

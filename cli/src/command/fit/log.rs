@@ -4,19 +4,26 @@ use crate::failure::Failure;
 use std::path::Path;
 use tribos::record::{ColumnChoices, LogOptions, LogRole, UnitChoices, look};
 
-/// How a log is to be read.
+/// How a table is to be read.
 #[derive(Clone, Debug, Default, clap::Args)]
-pub struct LogArguments {
-    /// Columns by name or number: t=Time,v="v [mm/s]",f=-3; a minus changes the sign, `none` leaves one out. Without it
-    /// the names of the columns decide, in English and German.
+pub struct TableArguments {
+    /// Columns by name or by number from 1, such as f=Force,v="v [mm/s]" or f=-3; a minus changes the sign, `none`
+    /// leaves one out.
     #[arg(long, value_name = "NAME=COLUMN,…")]
     columns: Option<ColumnChoices>,
-    /// Units of columns, before those in the file: v=mm/s,f=mN.
+    /// Units of columns, before those in the file, such as v=mm/s,f=mN.
     #[arg(long, value_name = "NAME=UNIT,…")]
     units: Option<UnitChoices>,
     /// Leave out so many lines at the beginning of the file.
     #[arg(long, value_name = "N", default_value = "0", hide_default_value = true)]
     skip: u64,
+}
+
+/// How a log is to be read, or looked at.
+#[derive(Clone, Debug, Default, clap::Args)]
+pub struct LogArguments {
+    #[command(flatten)]
+    table: TableArguments,
     /// Show what is understood of the file, its columns, their ranges and the first rows, and fit nothing.
     #[arg(long)]
     pub look: bool,
@@ -32,7 +39,12 @@ pub enum Format {
     Json,
 }
 
-impl LogArguments {
+impl TableArguments {
+    /// Whether nothing is said of a table.
+    pub fn is_silent(&self) -> bool {
+        self.options() == LogOptions::default()
+    }
+
     /// The options for the reader.
     pub fn options(&self) -> LogOptions {
         LogOptions {
@@ -40,6 +52,13 @@ impl LogArguments {
             units: self.units.clone().unwrap_or_default(),
             skip: self.skip,
         }
+    }
+}
+
+impl LogArguments {
+    /// The options for the reader.
+    pub fn options(&self) -> LogOptions {
+        self.table.options()
     }
 
     /// Prints the first look at a file.

@@ -139,8 +139,8 @@ impl Arguments {
     /// Fits, writes and prints.
     pub fn execute(self) -> Result<(), Failure> {
         if let Some(pushes) = &self.support {
-            let out = self.out.as_deref();
-            return support::execute(pushes, self.patch.as_ref(), &self.log.options(), out);
+            let options = self.log.options();
+            return support::execute(pushes, &options, self.patch.as_ref(), self.out.as_deref());
         }
         let Some(data) = &self.data else {
             return Err(Failure::input("give measurements and --law, or --support"));

@@ -7,8 +7,7 @@ use std::path::Path;
 use tribos::fit::FitError;
 use tribos::fit::support::{MeasuredPush, SupportFit};
 use tribos::friction::Patch;
-use tribos::record::{LogOptions, Rows};
-use tribos::record::{write_atomically, write_series};
+use tribos::record::{LogOptions, Rows, write_atomically, write_series};
 use tribos::run::folder::{Contents, OutputFolder};
 use tribos_core::twist::{Twist, Wrench};
 use tribos_report::figure::{Axis, Figure, Legend, Series};
@@ -33,11 +32,11 @@ const LEGEND: u32 = 60;
 /// Fits, writes and prints.
 pub fn execute(
     file: &Path,
+    options: &LogOptions,
     patch: Option<&Patch>,
-    log: &LogOptions,
     out: Option<&Path>,
 ) -> Result<(), Failure> {
-    let (pushes, refusals) = read(file, log)?;
+    let (pushes, refusals) = read(file, options)?;
     let fit = SupportFit::new(&pushes, patch).map_err(|error| match error {
         FitError::Push { push, message } => refusals(push, &message),
         FitError::Pushes(message) => Failure::input(format!("{}: {message}", file.display())),
@@ -64,9 +63,9 @@ pub fn execute(
 #[expect(clippy::type_complexity, reason = "a list and what to say of it")]
 fn read(
     file: &Path,
-    log: &LogOptions,
-) -> Result<(Vec<MeasuredPush>, impl Fn(usize, &str) -> Failure), Failure> {
-    let mut rows = Rows::with_options(file, log, |_| &COLUMNS)?;
+    options: &LogOptions,
+) -> Result<(Vec<MeasuredPush>, impl Fn(usize, &str) -> Failure + use<>), Failure> {
+    let mut rows = Rows::with_options(file, options, |_| &COLUMNS)?;
     let (mut pushes, mut lines, mut row) = (Vec::new(), Vec::new(), [0.0; 6]);
     while let Some(line) = rows.next(&mut row)? {
         let [dx, dy, turn, fx, fy, torque] = row;

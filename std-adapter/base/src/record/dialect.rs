@@ -84,7 +84,10 @@ impl Dialect {
             let is_units = found.units.is_none() && is_units(&cells, decimal);
             if is_units {
                 found.units = Some(found.first);
-            } else if below == WordsBelow::Rows || line.is_comment {
+            } else if below == WordsBelow::Rows
+                || rows.get(found.first).is_some_and(|row| has_number(row))
+            {
+                // A row with a fault is a row.
                 break;
             }
             found.first += 1;
@@ -115,9 +118,7 @@ impl Dialect {
         (from, width): (usize, usize),
         known: &mut dyn FnMut(&[&str]) -> usize,
     ) -> Option<usize> {
-        let has_words = |row: &[Cell]| {
-            row.contains(&Cell::Word) && !row.iter().any(|cell| matches!(cell, Cell::Number(_)))
-        };
+        let has_words = |row: &[Cell]| row.contains(&Cell::Word) && !has_number(row);
         let mut best = (0, false, None);
         for (at, (line, row)) in head
             .iter()
@@ -127,10 +128,12 @@ impl Dialect {
             .skip(from)
         {
             let names = self.names(&line.text, width);
-            let is_named = line.is_comment || has_words(row);
+            let is_named = (line.is_comment || has_words(row)) && !is_units(&names, self.decimal);
             let count = if is_named { known(&names) } else { 0 };
             let rank = (count, !line.is_comment && names.len() == width);
-            if count > 0 && rank >= (best.0, best.1) {
+            // Of several headers the first counts; of single names, which stand in any text, the last.
+            let is_last = count == 1 && rank == (best.0, best.1);
+            if count > 0 && (rank > (best.0, best.1) || is_last) {
                 best = (rank.0, rank.1, Some(at));
             }
         }
@@ -157,6 +160,11 @@ impl Dialect {
     }
 }
 
+/// Whether a cell of a row is a number.
+fn has_number(row: &[Cell]) -> bool {
+    row.iter().any(|cell| matches!(cell, Cell::Number(_)))
+}
+
 /// The mark in a first line `sep=;`, as spreadsheets write it.
 fn declared(text: &str) -> Option<Delimiter> {
     let text = text.trim().trim_matches('"');
@@ -181,12 +189,12 @@ fn shape(
             .filter(|line| !line.is_comment)
             .map(|line| line.text.as_str())
     };
-    let delimiters = match &declared {
-        Some(delimiter) => std::slice::from_ref(delimiter),
-        None => &Delimiter::ALL,
+    let delimiters = match declared {
+        Some(delimiter) => vec![delimiter],
+        None => fitting(head, known),
     };
     let mut best = (0, Delimiter::Mark(','), Decimal::Point);
-    for &delimiter in delimiters {
+    for &delimiter in &delimiters {
         for decimal in [Decimal::Point, Decimal::Comma] {
             let points: usize = lines().map(|line| points(line, delimiter, decimal)).sum();
             // `1,234` between semicolons is a decimal comma: who writes thousands with commas parts columns by commas.
@@ -205,7 +213,7 @@ fn shape(
     // Without a number, the names of the first line decide.
     let first = lines().next().unwrap_or_default();
     let mut chosen = (0, declared.unwrap_or(Delimiter::Mark(',')));
-    for &delimiter in delimiters {
+    for &delimiter in &delimiters {
         let names: Vec<&str> = delimiter.cells(first).collect();
         let count = known(&names);
         if count > chosen.0 {
@@ -213,6 +221,41 @@ fn shape(
         }
     }
     (chosen.1, Decimal::Point)
+}
+
+/// Delimiters under which a line has most of the known names, if it has several and there are numbers under them; else
+/// all.
+fn fitting(head: &[HeadLine], known: &mut dyn FnMut(&[&str]) -> usize) -> Vec<Delimiter> {
+    let mut most = 1;
+    let mut fitting = Vec::new();
+    for line in head {
+        for delimiter in Delimiter::ALL {
+            let text = line.text.trim_start_matches(COMMENT_MARKS);
+            let names: Vec<&str> = delimiter.cells(text).collect();
+            let count = known(&names);
+            if count > most {
+                (most, fitting) = (count, Vec::new());
+            }
+            if count == most && most > 1 && !fitting.contains(&delimiter) {
+                fitting.push(delimiter);
+            }
+        }
+    }
+    let is_number = |cell: &str| {
+        [Decimal::Point, Decimal::Comma]
+            .iter()
+            .any(|decimal| decimal.number(cell).is_some())
+    };
+    let has_numbers = |delimiter: &Delimiter| {
+        let mut lines = head.iter().filter(|line| !line.is_comment);
+        lines.any(|line| delimiter.cells(&line.text).any(is_number))
+    };
+    fitting.retain(has_numbers);
+    if fitting.is_empty() {
+        Delimiter::ALL.to_vec()
+    } else {
+        fitting
+    }
 }
 
 /// What a line says for a dialect.

@@ -463,6 +463,27 @@ mod tests {
     }
 
     #[test]
+    fn columns_of_words_do_not_hide_the_delimiter() -> Result<(), TableError> {
+        // More numbers stand between blanks than between commas.
+        let text =
+            "place,verdict,what,why,n\np 4 1,ok,a 1 2 3 4; 5,1 2 3,7\np 4 2,no,b 1 2 3 4; 5,n,8\n";
+        let columns: &'static [&'static str] = &["n", "place"];
+        let rows = Rows::of(
+            Path::new("a"),
+            text.as_bytes(),
+            OtherColumns::Ignored,
+            |_| columns,
+        );
+        let mut rows = rows?;
+        let mut row = [0.0];
+        assert_eq!(
+            (rows.next(&mut row)?, row, rows.words()),
+            (Some(2), [7.0], &["p 4 1".to_owned()][..])
+        );
+        Ok(())
+    }
+
+    #[test]
     fn words_stand_beside_numbers_and_other_columns_are_left_out() -> Result<(), TableError> {
         let text = "color,name,x\nred,a,1\nblue,b,2\n";
         let mut rows = Rows::of(

@@ -18,6 +18,8 @@ pub(super) struct Assigned {
     pub factor: f64,
     /// The unit in words, if there was one.
     pub unit: Option<String>,
+    /// The unit in SI.
+    pub si: &'static str,
     /// Whether the column has the role's own name and nothing else was said of it.
     pub is_plain: bool,
 }
@@ -67,7 +69,7 @@ pub(super) fn assign(
         } else {
             1.0
         };
-        let (size, unit) = in_si(role, heading, options, &mut remarks)?;
+        let (size, unit, si) = in_si(role, heading, options, &mut remarks)?;
         let text = heading.map_or(String::new(), |heading| heading.text.clone());
         all.push(Assigned {
             role: *role,
@@ -80,6 +82,7 @@ pub(super) fn assign(
             },
             factor: sign * size,
             unit,
+            si,
         });
     }
     once(&all)?;
@@ -286,7 +289,7 @@ fn in_si(
     heading: Option<&Heading>,
     options: &LogOptions,
     remarks: &mut Vec<String>,
-) -> Result<(f64, Option<String>), String> {
+) -> Result<(f64, Option<String>, &'static str), String> {
     let name = role.name;
     let given = options.units.0.iter().find(|(known, _)| known == name);
     if let Some((_, text)) = given {
@@ -296,18 +299,18 @@ fn in_si(
                 known(role.dimensions)
             )
         })?;
-        return Ok((found.1, Some(text.clone())));
+        return Ok((found.1, Some(text.clone()), found.0.unit()));
     }
     let Some((text, heading)) = heading.and_then(|heading| Some((heading.unit.as_ref()?, heading)))
     else {
-        return Ok((1.0, None));
+        return Ok((1.0, None, role.unit()));
     };
     match unit(text, role.dimensions) {
         Some((Dimension::Electric, _)) => {
             remarks.push(format!("{name} is taken as it is, in {text}"));
-            Ok((1.0, Some(text.clone())))
+            Ok((1.0, Some(text.clone()), ""))
         }
-        Some((_, size)) => Ok((size, Some(text.clone()))),
+        Some((dimension, size)) => Ok((size, Some(text.clone()), dimension.unit())),
         None => match any_unit(text) {
             Some((dimension, _)) => Err(format!(
                 "`{}` is in {text}, a {}, but {name} is {} [{}]; name another column with --columns \
@@ -323,7 +326,7 @@ fn in_si(
                      --units {name}=… gives another",
                     role.unit()
                 ));
-                Ok((1.0, None))
+                Ok((1.0, None, role.unit()))
             }
         },
     }

@@ -20,6 +20,24 @@ impl Plan {
         is_read || self.derived.iter().any(|(role, ..)| role.name == name)
     }
 
+    /// Leaves out a position that nobody named or needs where there is a velocity: its gaps would cost rows.
+    pub fn without_idle_position(&mut self, roles: &[LogRole], options: &LogOptions) {
+        let position = LogRole::POSITION.name;
+        let is_asked_for = |role: &LogRole| role.name == position && role.is_needed;
+        let is_named = options
+            .columns
+            .0
+            .iter()
+            .any(|choice| choice.role == position);
+        let has_velocity = self
+            .assigned
+            .iter()
+            .any(|one| one.role.name == LogRole::VELOCITY.name);
+        if has_velocity && !is_named && !roles.iter().any(is_asked_for) {
+            self.assigned.retain(|one| one.role.name != position);
+        }
+    }
+
     /// Derives a role from another one over time, if both are there; false if not.
     pub fn derives(
         &mut self,

@@ -214,13 +214,18 @@ fn plan(
             return Err(missing(role, headings, width));
         }
     }
+    plan.without_idle_position(roles, options);
     Ok(plan)
 }
 
 /// The number of names in a header that options or roles know.
 fn known<'a>(roles: &'a [LogRole], options: &'a LogOptions) -> impl FnMut(&[&str]) -> usize + 'a {
     move |header| {
-        let headings: Vec<Heading> = header.iter().map(|text| Heading::of(text)).collect();
+        // Numbers name nothing.
+        let names = header
+            .iter()
+            .filter(|text| Decimal::Point.number(text).is_none());
+        let headings: Vec<Heading> = names.map(|text| Heading::of(text)).collect();
         let is_known = |heading: &&Heading| roles.iter().any(|role| role.rank(heading).is_some());
         headings.iter().filter(is_known).count() + options.named_in(&headings)
     }

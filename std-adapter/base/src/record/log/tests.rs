@@ -104,6 +104,8 @@ fn one_record_in_many_dialects_is_one_record() {
         // Units in a line of their own, with and without brackets, and lines before the header.
         "Rig 7, run 3\nLoad;12\n\nZeit;Geschw.;v;Kraft\ns;rpm;mm/s;N\n0;5;1;2,5\n0,5;5;1,5;1,25\n1;5;-2;-1234,5\n",
         "Test of steel\nOperator,Fritz\nTime,Speed,Friction force\n[s],[mm/s],[N]\n0,1,2.5\n0.5,1.5,1.25\n1,-2,-1234.5\n",
+        // A unit that is spelled as a name.
+        "Channel,t,Speed,Force\nUnit,s,mm/s,N\nV,0,1,2.5\nV,0.5,1.5,1.25\nV,1,-2,-1234.5\n",
         // Units at the ends of names, in kN and ms.
         "time_ms,sliding_speed_mm_s,force_kN\n0,1,0.0025\n500,1.5,0.00125\n1000,-2,-1.2345\n",
         // Names in a comment, as numpy and gnuplot write them.
@@ -217,6 +219,20 @@ fn units_of_headers_become_si() {
 }
 
 #[test]
+fn what_was_understood_names_columns_and_sizes_of_units() {
+    let made = log("t;v [mm/s];M [A];F [N];COF\n0;1;2;3;4\n").map(|log| log.understood);
+    let wanted = [
+        "a.csv",
+        "semicolons between cells, decimal points",
+        "header in line 1",
+        "t is `t`, taken as s",
+        "v is `v [mm/s]` in mm/s, of 0.001 m/s each",
+        "f is `COF`",
+    ];
+    assert_eq!(made, Ok(wanted.map(String::from).to_vec()));
+}
+
+#[test]
 fn names_of_other_quantities_are_not_taken() {
     // A temperature is no time, a normal force no friction, and its own name comes before a usual one.
     let made = columns(log("T [°C],v,speed,F_N,f_N\n20,3,4,10,2\n"));
@@ -271,6 +287,9 @@ fn a_velocity_is_made_from_a_position() {
     );
     let made = columns(made).map(|columns| columns.into_iter().find(|(name, _)| *name == "v"));
     assert_eq!(made, Ok(Some(("v", vec![0.001, 0.002, 0.004, 0.005]))));
+    // Where there is a velocity, gaps of a position cost no rows.
+    let made = columns(log("x,v,f\n,1,2\n,3,4\n"));
+    assert_eq!(made, Ok(vec![("v", vec![1.0, 3.0]), ("f", vec![2.0, 4.0])]));
     // An acceleration is made where it is wanted.
     let roles = [
         LogRole::TIME,
@@ -384,6 +403,7 @@ fn refusals_say_what_and_where_and_what_cures() {
                 "1 `v`, 2 `f`",
             ],
         ),
+        ("v,f\nabc,1\n2,3\n4,5\n", "", "", &["a.csv:2: v is `abc`"]),
         ("Speed,f\n1,2\n", "v=Sped", "", &["did you mean `Speed`?"]),
         (
             "v,f\n1,2\n",

@@ -3,8 +3,11 @@
 use super::DropReason;
 use super::derive::Plan;
 use crate::record::cells::Decimal;
-use crate::record::number;
 use crate::record::sheet::Sheet;
+use crate::record::significant;
+
+/// Digits of the size of a unit.
+const DIGITS: usize = 6;
 
 /// A line for each part.
 pub(super) fn understood(
@@ -14,24 +17,22 @@ pub(super) fn understood(
 ) -> Vec<String> {
     let mut all = sheet.map_or(Vec::new(), table);
     for one in &plan.assigned {
-        let (role, unit) = (&one.role, one.role.unit());
+        let role = &one.role;
         let sign = if one.factor < 0.0 {
             ", its sign changed"
         } else {
             ""
         };
-        let size = one.factor.abs();
-        all.push(match &one.unit {
-            Some(given) => {
-                format!(
-                    "{} is `{}` in {given}, {} in SI each{sign}",
-                    role.name,
-                    one.name,
-                    number(size)
-                )
-            }
-            None => format!("{} is `{}`, taken as {unit}{sign}", role.name, one.name),
-        });
+        let size = significant(one.factor.abs(), DIGITS);
+        let unit = match (&one.unit, one.si) {
+            (Some(given), si) if given == si => format!(" in {si}"),
+            (Some(given), "") => format!(" in {given}"),
+            (Some(given), si) => format!(" in {given}, of {size} {si} each"),
+            // A coefficient and a force look alike.
+            (None, "-") => String::new(),
+            (None, si) => format!(", taken as {si}"),
+        };
+        all.push(format!("{} is `{}`{unit}{sign}", role.name, one.name));
     }
     for (role, _, source) in &plan.derived {
         all.push(format!(
