@@ -104,7 +104,9 @@ impl Options {
         let text = match self.format {
             Format::Json => format!("{:#}\n", output::json(&fit, &options)),
             Format::Text => {
-                let end = common.out.map(|out| format!("written to    {}\n", out.display()));
+                let end = common
+                    .out
+                    .map(|out| format!("written to    {}\n", out.display()));
                 output::text(&fit, &options) + &end.unwrap_or_default()
             }
         };
@@ -114,10 +116,15 @@ impl Options {
 
 /// The law of that name under which a filmed body can be followed.
 fn law(named: Option<FitLaw>) -> Result<TrackLaw, Failure> {
-    let Some(named) = named else { return Ok(TrackLaw::Coulomb) };
+    let Some(named) = named else {
+        return Ok(TrackLaw::Coulomb);
+    };
     let mut all = FitLaw::ALL.into_iter();
-    let name = all.find(|(law, ..)| *law == named).map_or("", |(_, name, _)| name);
-    name.parse().map_err(|error| Failure::input(format!("--law: {error}")))
+    let name = all
+        .find(|(law, ..)| *law == named)
+        .map_or("", |(_, name, _)| name);
+    name.parse()
+        .map_err(|error| Failure::input(format!("--law: {error}")))
 }
 
 impl read::Film {

@@ -13,7 +13,10 @@ use tribos::record::{json_number, write_atomically, write_series};
 pub fn text(fit: &TrackFit, options: &TrackOptions) -> String {
     let mut text = format!(
         "law           {} on a {}, I/(M R^2) = {}, g = {} m/s^2\n",
-        options.law, options.patch, shown(options.inertia_ratio), shown(options.gravity)
+        options.law,
+        options.patch,
+        shown(options.inertia_ratio),
+        shown(options.gravity)
     );
     for estimate in &fit.parameters {
         text += &line(estimate);
@@ -23,7 +26,9 @@ pub fn text(fit: &TrackFit, options: &TrackOptions) -> String {
     });
     text += &format!(
         "residuals     {} mm of a coordinate{angle}, over {} degrees of freedom of {} frames\n",
-        shown(1e3 * fit.rms_position), fit.freedoms, fit.frames
+        shown(1e3 * fit.rms_position),
+        fit.freedoms,
+        fit.frames
     );
     text += &format!(
         "starts        {} of {} ended at the best minimum\n",
@@ -44,7 +49,9 @@ fn line(estimate: &TrackEstimate) -> String {
         Uncertainty::StandardError(error) => value_with_error(estimate.value, *error),
         Uncertainty::Fixed => (plain(estimate.value), "fixed".into()),
         Uncertainty::AtBound => (plain(estimate.value), "at its bound".into()),
-        Uncertainty::Undetermined(_) => (format!("{:.3e}", estimate.value), "not determined".into()),
+        Uncertainty::Undetermined(_) => {
+            (format!("{:.3e}", estimate.value), "not determined".into())
+        }
     };
     let interval = match estimate.known {
         Uncertainty::Fixed => String::new(),
@@ -106,20 +113,34 @@ pub fn json(fit: &TrackFit, options: &TrackOptions) -> Value {
 pub fn write(fit: &TrackFit, options: &TrackOptions, out: &Path) -> Result<(), Failure> {
     let frames = fit.frames;
     let track = &fit.track;
-    let mut columns: Vec<(&str, &[f64])> = vec![("t", track.times()), ("x", track.x()), ("y", track.y())];
+    let mut columns: Vec<(&str, &[f64])> =
+        vec![("t", track.times()), ("x", track.x()), ("y", track.y())];
     columns.extend(track.angle().map(|angle| ("angle", angle)));
     let mut parts = fit.residuals.chunks(frames.max(1));
     for name in ["residual_x", "residual_y", "residual_angle"] {
         columns.extend(parts.next().map(|part| (name, part)));
     }
     columns.push(("speed", &fit.speeds));
-    let used: Vec<f64> = (0..frames).map(|i| f64::from(u8::from(!fit.dropped.contains(&i)))).collect();
+    let used: Vec<f64> = (0..frames)
+        .map(|i| f64::from(u8::from(!fit.dropped.contains(&i))))
+        .collect();
     columns.push(("used", &used));
     let names: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
-    let at = |i: usize| columns.iter().filter_map(move |(_, values)| values.get(i).copied());
+    let at = |i: usize| {
+        columns
+            .iter()
+            .filter_map(move |(_, values)| values.get(i).copied())
+    };
     let rows: Vec<Vec<f64>> = (0..frames).map(|i| at(i).collect()).collect();
-    write_series(&out.join("residuals.csv"), &names, rows.iter().map(Vec::as_slice))?;
-    Ok(write_atomically(&out.join("fit.toml"), toml(fit, options).as_bytes())?)
+    write_series(
+        &out.join("residuals.csv"),
+        &names,
+        rows.iter().map(Vec::as_slice),
+    )?;
+    Ok(write_atomically(
+        &out.join("fit.toml"),
+        toml(fit, options).as_bytes(),
+    )?)
 }
 
 fn toml(fit: &TrackFit, options: &TrackOptions) -> String {
@@ -149,7 +170,9 @@ fn toml(fit: &TrackFit, options: &TrackOptions) -> String {
     for estimate in &fit.parameters {
         let parameter = &estimate.parameter;
         let (known, error) = state(estimate);
-        let error = error.map_or(String::new(), |error| format!("standard_error = {error:?}\n"));
+        let error = error.map_or(String::new(), |error| {
+            format!("standard_error = {error:?}\n")
+        });
         text += &format!(
             "\n[parameters.{}]    # {}\nvalue = {:?}\nunit = \"{}\"\nknown = \"{known}\"\n{error}interval = {:?}\n",
             parameter.name, parameter.meaning, estimate.value, parameter.unit, estimate.interval

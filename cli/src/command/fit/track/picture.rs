@@ -27,7 +27,10 @@ fn pairs(x: &[f64], y: &[f64], scale: f64) -> Vec<(f64, f64)> {
 
 /// A part of the residuals: x, y or angle.
 fn part(fit: &TrackFit, index: usize) -> &[f64] {
-    fit.residuals.chunks(fit.frames.max(1)).nth(index).unwrap_or_default()
+    fit.residuals
+        .chunks(fit.frames.max(1))
+        .nth(index)
+        .unwrap_or_default()
 }
 
 fn path(fit: &TrackFit) -> Figure {
@@ -36,7 +39,10 @@ fn path(fit: &TrackFit) -> Figure {
         let at = |values: &[f64], left: &[f64]| Some(values.get(i)? - left.get(i)?);
         at(x, part(fit, 0)).zip(at(y, part(fit, 1)))
     });
-    let dropped = fit.dropped.iter().filter_map(|&i| x.get(i).copied().zip(y.get(i).copied()));
+    let dropped = fit
+        .dropped
+        .iter()
+        .filter_map(|&i| x.get(i).copied().zip(y.get(i).copied()));
     let dropped: Vec<(f64, f64)> = dropped.collect();
     let figure = Figure::new("", Axis::linear("x [m]"), Axis::linear("y [m]"))
         .series(Series::points("frames", pairs(x, y, 1.0)))
@@ -51,31 +57,46 @@ fn path(fit: &TrackFit) -> Figure {
 /// The fitted speed, and differences of the frames.
 fn speed(fit: &TrackFit) -> Figure {
     let (t, x, y) = (fit.track.times(), fit.track.x(), fit.track.y());
-    let used: Vec<usize> = (0..fit.frames).filter(|i| !fit.dropped.contains(i)).collect();
+    let used: Vec<usize> = (0..fit.frames)
+        .filter(|i| !fit.dropped.contains(i))
+        .collect();
     let differences = used.windows(3).filter_map(|three| {
-        let [before, _, after] = *three else { return None };
+        let [before, _, after] = *three else {
+            return None;
+        };
         let over = |values: &[f64]| Some(values.get(after)? - values.get(before)?);
         let (dt, dx, dy) = (over(t)?, over(x)?, over(y)?);
         Some((t.get(before)? + 0.5 * dt, dx.hypot(dy) / dt))
     });
     Figure::new("", Axis::linear("time [s]"), Axis::linear("speed [m/s]"))
-        .series(Series::points("differences of frames", differences.collect()))
+        .series(Series::points(
+            "differences of frames",
+            differences.collect(),
+        ))
         .series(Series::line("fitted", pairs(t, &fit.speeds, 1.0)))
 }
 
 fn residuals(fit: &TrackFit) -> Figure {
     const MILLIMETRES: f64 = 1e3;
     let t = fit.track.times();
-    Figure::new("", Axis::linear("time [s]"), Axis::linear("filmed − fitted [mm]"))
-        .series(Series::points("x", pairs(t, part(fit, 0), MILLIMETRES)))
-        .series(Series::points("y", pairs(t, part(fit, 1), MILLIMETRES)))
-        .guide(ReferenceLine::horizontal(0.0, ""))
+    Figure::new(
+        "",
+        Axis::linear("time [s]"),
+        Axis::linear("filmed − fitted [mm]"),
+    )
+    .series(Series::points("x", pairs(t, part(fit, 0), MILLIMETRES)))
+    .series(Series::points("y", pairs(t, part(fit, 1), MILLIMETRES)))
+    .guide(ReferenceLine::horizontal(0.0, ""))
 }
 
 fn turn(fit: &TrackFit) -> Option<Figure> {
     fit.track.angle()?;
     let left = pairs(fit.track.times(), part(fit, 2), DEGREES);
-    let figure = Figure::new("", Axis::linear("time [s]"), Axis::linear("angle, filmed − fitted [deg]"));
+    let figure = Figure::new(
+        "",
+        Axis::linear("time [s]"),
+        Axis::linear("angle, filmed − fitted [deg]"),
+    );
     let figure = figure.series(Series::points("", left));
     Some(figure.guide(ReferenceLine::horizontal(0.0, "")))
 }

@@ -38,22 +38,30 @@ pub fn unit(text: &str) -> Result<(String, f64), String> {
     let (name, unit) = (name.trim(), unit.trim());
     if unit == "px" {
         return Err(
-            "pixels have no length: give --scale METRES_PER_PIXEL, or lengths such as x=mm,y=mm".into(),
+            "pixels have no length: give --scale METRES_PER_PIXEL, or lengths such as x=mm,y=mm"
+                .into(),
         );
     }
     if unit == "frame" || unit == "frames" {
         return Err("frames have no duration: give --frame-rate HZ".into());
     }
-    let found = UNITS.iter().find(|(known, of, _)| *known == unit && of.contains(&name));
-    found.map(|(.., factor)| (name.to_owned(), *factor)).ok_or_else(|| {
-        let fitting = UNITS.iter().filter(|(_, of, _)| of.contains(&name));
-        let fitting: Vec<&str> = fitting.map(|(unit, ..)| *unit).collect();
-        if fitting.is_empty() {
-            format!("there is no column `{name}`; the columns are {}", COLUMNS.join(", "))
-        } else {
-            format!("`{unit}` is no unit of {name}; give {}", fitting.join(", "))
-        }
-    })
+    let found = UNITS
+        .iter()
+        .find(|(known, of, _)| *known == unit && of.contains(&name));
+    found
+        .map(|(.., factor)| (name.to_owned(), *factor))
+        .ok_or_else(|| {
+            let fitting = UNITS.iter().filter(|(_, of, _)| of.contains(&name));
+            let fitting: Vec<&str> = fitting.map(|(unit, ..)| *unit).collect();
+            if fitting.is_empty() {
+                format!(
+                    "there is no column `{name}`; the columns are {}",
+                    COLUMNS.join(", ")
+                )
+            } else {
+                format!("`{unit}` is no unit of {name}; give {}", fitting.join(", "))
+            }
+        })
 }
 
 impl Options {

@@ -4,9 +4,7 @@ use super::super::FitError;
 use super::law::TrackLaw;
 use super::march::{Place, march};
 use crate::MotionError;
-use crate::slide::planar::{
-    Launch, PlanarSimulation, PlanarState, Plate, Resistance,
-};
+use crate::slide::planar::{Launch, PlanarSimulation, PlanarState, Plate, Resistance};
 use std::cell::RefCell;
 use std::rc::Rc;
 use tribos_core::coupling::{ReducedFriction, ReducedWrench};

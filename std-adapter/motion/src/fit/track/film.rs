@@ -109,7 +109,12 @@ impl Track {
         let used: Vec<usize> = used
             .filter_map(|(i, t)| is_used(i, *t).then_some(i))
             .collect();
-        let of = |column: &[f64]| used.iter().filter_map(|&i| column.get(i)).copied().collect();
+        let of = |column: &[f64]| {
+            used.iter()
+                .filter_map(|&i| column.get(i))
+                .copied()
+                .collect()
+        };
         Self {
             times: of(&self.times),
             x: of(&self.x),
@@ -179,7 +184,8 @@ impl Track {
         let is_whole = self.times.iter().all(|t| t.fract() == 0.0);
         if is_whole && self.times.len() >= MANY {
             self.notes.push(
-                "all times are whole numbers: if they are numbers of frames, give --frame-rate HZ".into(),
+                "all times are whole numbers: if they are numbers of frames, give --frame-rate HZ"
+                    .into(),
             );
         }
     }

@@ -39,7 +39,12 @@ const SPREAD: usize = 3;
 /// Fits a body's motion to the frames.
 pub(super) fn fit(film: &Track, options: &TrackOptions) -> Result<TrackFit, FitError> {
     let track = film.between(options.skip, options.from, options.to);
-    let body = Body::new(&options.patch, options.law, options.gravity, options.inertia_ratio)?;
+    let body = Body::new(
+        &options.patch,
+        options.law,
+        options.gravity,
+        options.inertia_ratio,
+    )?;
     if track.times().is_empty() {
         return Err(FitError::Track(
             "no frames are left; check --skip, --from and --to against the times".into(),
@@ -47,7 +52,8 @@ pub(super) fn fit(film: &Track, options: &TrackOptions) -> Result<TrackFit, FitE
     }
     if track.angle().is_none() && !body.is_round() {
         return Err(FitError::Track(
-            "a body with straight edges needs the column angle, the direction of its first axis".into(),
+            "a body with straight edges needs the column angle, the direction of its first axis"
+                .into(),
         ));
     }
     let noise = first_noise(&track);
@@ -56,7 +62,11 @@ pub(super) fn fit(film: &Track, options: &TrackOptions) -> Result<TrackFit, FitE
     // Without the angle a known radius is for the report alone.
     let is_spare = |name: &str| model.turning == Turning::Ratio && name == "R";
     let fixed = options.fixed.iter().filter(|(name, _)| !is_spare(name));
-    let radius = options.fixed.iter().find(|(name, _)| is_spare(name)).map(|(_, radius)| *radius);
+    let radius = options
+        .fixed
+        .iter()
+        .find(|(name, _)| is_spare(name))
+        .map(|(_, radius)| *radius);
     let fixed: Vec<(String, f64)> = fixed.cloned().collect();
     let unknowns = Unknowns::new(&model, &fixed)?;
     let noise = Noise {
@@ -77,12 +87,14 @@ pub(super) fn fit(film: &Track, options: &TrackOptions) -> Result<TrackFit, FitE
 
 /// Refuses frames in which nothing moves.
 fn refuse_rest(track: &Track, noise: Noise) -> Result<(), FitError> {
-    let rests = track.extent() <= RESTING * noise.position && turned(track) <= RESTING * noise.angle;
+    let rests =
+        track.extent() <= RESTING * noise.position && turned(track) <= RESTING * noise.angle;
     // Without third differences the noise is an assumption.
     const FEWEST: usize = 4;
     if track.extent() == 0.0 || (rests && track.times().len() >= FEWEST) {
         return Err(FitError::Track(
-            "the body rests in all of these frames; take frames in which it slides (--from, --to)".into(),
+            "the body rests in all of these frames; take frames in which it slides (--from, --to)"
+                .into(),
         ));
     }
     Ok(())
@@ -110,12 +122,18 @@ fn from_all_starts(
     film.noise = noise;
     let places: Vec<Vec<f64>> = coarse.into_iter().map(|end| end.q).collect();
     let minima = film.minima(&places);
-    if minima.is_empty() { Err(FitError::NoStart) } else { Ok(minima) }
+    if minima.is_empty() {
+        Err(FitError::NoStart)
+    } else {
+        Ok(minima)
+    }
 }
 
 /// Angle from the first frame to the last, in rad.
 fn turned(track: &Track) -> f64 {
-    let ends = track.angle().and_then(|angle| angle.first().zip(angle.last()));
+    let ends = track
+        .angle()
+        .and_then(|angle| angle.first().zip(angle.last()));
     ends.map_or(0.0, |(first, last)| (last - first).abs())
 }
 
@@ -168,10 +186,16 @@ fn settle(
         let minima = film.minima(&places);
         let best = minima.first().ok_or(FitError::NoStart)?;
         places = minima.iter().map(|end| end.q.clone()).collect();
-        let raw = film.raw(&film.unknowns.values(&best.q)).ok_or(FitError::NoStart)?;
+        let raw = film
+            .raw(&film.unknowns.values(&best.q))
+            .ok_or(FitError::NoStart)?;
         let before = (film.noise, film.is_kept.clone());
         // After a robust fit medians tell the noise; outliers go, and sums of squares tell it better.
-        let limit = given(if film.is_robust { film.robust_noise(&raw) } else { film.mean_noise(&raw) });
+        let limit = given(if film.is_robust {
+            film.robust_noise(&raw)
+        } else {
+            film.mean_noise(&raw)
+        });
         is_misfit = leave_out(film, &raw, limit);
         film.noise = given(film.mean_noise(&raw));
         let change = |a: f64, b: f64| (a / b - 1.0).abs();
@@ -195,10 +219,17 @@ fn leave_out(film: &mut Weighted<'_>, raw: &[f64], noise: Noise) -> bool {
     let is_near = |i: usize| {
         let far = libm::hypot(at(i), at(i + frames));
         let is_placed = at(i).abs().max(at(i + frames).abs()) <= OUTLYING * noise.position;
-        (is_placed && far.is_finite(), at(i + 2 * frames).abs() <= OUTLYING * noise.angle)
+        (
+            is_placed && far.is_finite(),
+            at(i + 2 * frames).abs() <= OUTLYING * noise.angle,
+        )
     };
     let (placed, turned): (Vec<bool>, Vec<bool>) = (0..frames).map(is_near).unzip();
-    let out = placed.iter().zip(&turned).filter(|(p, t)| !**p || !**t).count();
+    let out = placed
+        .iter()
+        .zip(&turned)
+        .filter(|(p, t)| !**p || !**t)
+        .count();
     let most = (MOST_OUTLIERS * frames as f64).max(1.0);
     let is_misfit = out as f64 > most;
     if !is_misfit {
@@ -222,24 +253,40 @@ fn result(
     let freedoms = film.readings().saturating_sub(unknowns.sought.len()).max(1);
     let is_known = options.noise_position.is_some()
         && (options.noise_angle.is_some() || track.angle().is_none());
-    let variance = if is_known { 1.0 } else { best.cost / freedoms as f64 };
+    let variance = if is_known {
+        1.0
+    } else {
+        best.cost / freedoms as f64
+    };
     let (here, slopes) = film.slopes(&best.q).ok_or(FitError::NoStart)?;
     let errors = Errors::new(film, best, &here, &slopes, variance);
-    let t = if is_known { student(usize::MAX) } else { student(freedoms) };
+    let t = if is_known {
+        student(usize::MAX)
+    } else {
+        student(freedoms)
+    };
     let rise = t * t * variance;
     // Other minima that the frames do not exclude widen the intervals.
-    let alike = settled.minima.iter().filter(|end| end.cost <= best.cost + rise);
+    let alike = settled
+        .minima
+        .iter()
+        .filter(|end| end.cost <= best.cost + rise);
     let alike: Vec<&Minimum> = alike.collect();
     let intervals = intervals(film, &alike, &errors.covariance, rise);
-    let parameters = film.model.parameters().iter().enumerate().map(|(j, parameter)| {
-        let place = unknowns.sought.iter().position(|&sought| sought == j);
-        TrackEstimate {
-            parameter: *parameter,
-            value: values[j],
-            known: place.map_or(Uncertainty::Fixed, |k| errors.known(film, k, &values)),
-            interval: place.map_or([values[j]; 2], |k| intervals[k]),
-        }
-    });
+    let parameters = film
+        .model
+        .parameters()
+        .iter()
+        .enumerate()
+        .map(|(j, parameter)| {
+            let place = unknowns.sought.iter().position(|&sought| sought == j);
+            TrackEstimate {
+                parameter: *parameter,
+                value: values[j],
+                known: place.map_or(Uncertainty::Fixed, |k| errors.known(film, k, &values)),
+                interval: place.map_or([values[j]; 2], |k| intervals[k]),
+            }
+        });
     let parameters: Vec<TrackEstimate> = parameters.collect();
     let raw = film.raw(&values).ok_or(FitError::NoStart)?;
     let frames = film.model.frames();
@@ -300,7 +347,10 @@ fn intervals(
 ) -> Vec<[f64; 2]> {
     let unknowns = &film.unknowns;
     let least = alike.first().map_or(0.0, |best| best.cost);
-    let ranges = unknowns.sought.iter().map(|&j| film.model.parameters()[j].range);
+    let ranges = unknowns
+        .sought
+        .iter()
+        .map(|&j| film.model.parameters()[j].range);
     let interval = |(k, range): (usize, Range)| {
         let nothing = match range {
             Range::Positive | Range::NotNegative => [0.0, f64::INFINITY],

@@ -86,7 +86,13 @@ impl Moment {
 
     /// Larger of the rates at which the logarithms of the speeds fall.
     fn fading(&self) -> f64 {
-        let rate = |i: usize| if self.state[i] > 0.0 { self.rates[i] / self.state[i] } else { 0.0 };
+        let rate = |i: usize| {
+            if self.state[i] > 0.0 {
+                self.rates[i] / self.state[i]
+            } else {
+                0.0
+            }
+        };
         rate(0).max(rate(1))
     }
 
@@ -95,8 +101,16 @@ impl Moment {
         let step = to.time - self.time;
         let u = (time - self.time) / step;
         let path = |i: usize| {
-            let from = [self.state[2 + i], step * self.state[i], -step * step * self.rates[i]];
-            let to = [to.state[2 + i], step * to.state[i], -step * step * to.rates[i]];
+            let from = [
+                self.state[2 + i],
+                step * self.state[i],
+                -step * step * self.rates[i],
+            ];
+            let to = [
+                to.state[2 + i],
+                step * to.state[i],
+                -step * step * to.rates[i],
+            ];
             quintic(from, to, u)
         };
         let ([way, speed], [turned, _]) = (path(0), path(1));
@@ -114,8 +128,15 @@ impl Moment {
             let (speed, rate) = (self.state[i].max(0.0), self.rates[i]);
             let lasts = if rate > 0.0 { speed / rate } else { 0.0 };
             let passed = late.min(lasts);
-            let left = if late < lasts { speed - rate * passed } else { 0.0 };
-            [self.state[2 + i] + passed * (speed - 0.5 * rate * passed), left]
+            let left = if late < lasts {
+                speed - rate * passed
+            } else {
+                0.0
+            };
+            [
+                self.state[2 + i] + passed * (speed - 0.5 * rate * passed),
+                left,
+            ]
         };
         let ([way, speed], [turned, _]) = (path(0), path(1));
         Place {
@@ -160,9 +181,19 @@ mod tests {
         let slider = Slider::new(CoulombDisk, parameters).unwrap();
         let rates = |[v, w]: [f64; 2]| {
             let at = CoulombDisk.reduced_wrench(v, w);
-            [deceleration * at.force, deceleration * at.torque / inertia_ratio]
+            [
+                deceleration * at.force,
+                deceleration * at.torque / inertia_ratio,
+            ]
         };
-        for (speed, rim) in [(1.0, 0.2), (1.0, 0.999), (1.0, 5.0), (2.0, 0.0), (0.0, 1.0), (1.0, 1.0)] {
+        for (speed, rim) in [
+            (1.0, 0.2),
+            (1.0, 0.999),
+            (1.0, 5.0),
+            (2.0, 0.0),
+            (0.0, 1.0),
+            (1.0, 1.0),
+        ] {
             let start = SliderState::launched(speed, rim);
             let rest = slider.to_rest(&start).unwrap().motion;
             let times: Vec<f64> = (0..=40).map(|k| rest.time * f64::from(k) / 35.0).collect();
@@ -172,8 +203,14 @@ mod tests {
                 let exact = slider.advance(&start, *time).motion;
                 let off = [place.way[0] - exact.distance, place.turned - exact.angle];
                 let bound = 5e-8 * (rest.distance + rest.angle);
-                assert!(off[0].abs() < bound && off[1].abs() < bound, "{speed} {rim} {time}: {off:?}");
-                assert!((place.speed - exact.speed).abs() < 1e-5, "{place:?} {exact:?}");
+                assert!(
+                    off[0].abs() < bound && off[1].abs() < bound,
+                    "{speed} {rim} {time}: {off:?}"
+                );
+                assert!(
+                    (place.speed - exact.speed).abs() < 1e-5,
+                    "{place:?} {exact:?}"
+                );
             }
         }
     }

@@ -157,7 +157,10 @@ impl TrackFit {
 
     /// The values of all parameters.
     fn values(&self) -> Vec<f64> {
-        self.parameters.iter().map(|estimate| estimate.value).collect()
+        self.parameters
+            .iter()
+            .map(|estimate| estimate.value)
+            .collect()
     }
 }
 

@@ -187,9 +187,7 @@ impl<'a> TrackModel<'a> {
                 let launch = Launch { velocity, spin };
                 self.body.plate(law[0], &launch, angle, times)
             }
-            Turning::Radius | Turning::Ratio => {
-                self.body.roll_out(law, self.speeds(values), times)
-            }
+            Turning::Radius | Turning::Ratio => self.body.roll_out(law, self.speeds(values), times),
         }
     }
 
@@ -200,7 +198,12 @@ impl<'a> TrackModel<'a> {
         let mut key = law.to_vec();
         match self.turning {
             Turning::Edges => {
-                key.extend([start.velocity[0], start.velocity[1], start.angle, start.spin]);
+                key.extend([
+                    start.velocity[0],
+                    start.velocity[1],
+                    start.angle,
+                    start.spin,
+                ]);
             }
             Turning::Radius | Turning::Ratio => key.extend(self.speeds(values)),
         }

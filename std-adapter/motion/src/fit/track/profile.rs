@@ -67,7 +67,11 @@ impl Profile<'_> {
             (false, false) => (scale * self.from.q[k].abs().max(scale), f64::INFINITY),
         };
         let [low, high] = self.film.bounds(&self.film.unknowns)[k];
-        let room = if sign < 0.0 { self.from.q[k] - low } else { high - self.from.q[k] };
+        let room = if sign < 0.0 {
+            self.from.q[k] - low
+        } else {
+            high - self.from.q[k]
+        };
         let most = most.min(room);
         let mut near = [0.0, (self.from.cost - self.least).max(0.0).sqrt()];
         let mut far: Option<[f64; 2]> = None;
@@ -84,7 +88,11 @@ impl Profile<'_> {
             }
             if rise < wanted {
                 if at >= most {
-                    return if room <= most { End::At(self.from.q[k] + sign * at) } else { End::Open };
+                    return if room <= most {
+                        End::At(self.from.q[k] + sign * at)
+                    } else {
+                        End::Open
+                    };
                 }
                 (near, place) = ([at, rise], found);
             } else {
@@ -119,7 +127,11 @@ impl Profile<'_> {
         // The others follow by their correlation with this one.
         let slope = |j: usize| {
             let own = self.covariance[(k, k)];
-            if own > 0.0 { self.covariance[(j, k)] / own } else { 0.0 }
+            if own > 0.0 {
+                self.covariance[(j, k)] / own
+            } else {
+                0.0
+            }
         };
         let shift = value - near[k];
         let others = (0..near.len()).filter(|j| *j != k);

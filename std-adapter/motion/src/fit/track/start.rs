@@ -39,10 +39,19 @@ impl Guess {
         let speed = libm::hypot(x[1], y[1]);
         let slowing = -2.0 * (x[2] * x[1] + y[2] * y[1]) / speed;
         // What stops within the film has the mean deceleration v²/2s at least.
-        let at = |column: &[f64]| column.last().zip(column.first()).map_or(0.0, |(b, a)| b - a);
+        let at = |column: &[f64]| {
+            column
+                .last()
+                .zip(column.first())
+                .map_or(0.0, |(b, a)| b - a)
+        };
         let way = libm::hypot(at(track.x()), at(track.y()));
         let overall = 0.5 * speed * speed / way;
-        let slowing = if slowing > 0.1 * overall { slowing } else { overall };
+        let slowing = if slowing > 0.1 * overall {
+            slowing
+        } else {
+            overall
+        };
         let mu = (slowing / body.gravity).clamp(LEAST_MU, 1.0 / LEAST_MU);
         let spin = turn[1];
         let spin_slowing = -2.0 * turn[2] * spin.signum();

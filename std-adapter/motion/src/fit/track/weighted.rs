@@ -62,7 +62,11 @@ impl<'a> Weighted<'a> {
             (1, self.noise.angle)
         };
         let is_kept = self.is_kept[kind].get(reading % frames);
-        if is_kept == Some(&true) { 1.0 / noise } else { 0.0 }
+        if is_kept == Some(&true) {
+            1.0 / noise
+        } else {
+            0.0
+        }
     }
 
     /// Prediction less reading of all readings, in m and rad.
@@ -126,7 +130,12 @@ impl<'a> Weighted<'a> {
             }
             _ => own,
         };
-        unknowns.sought.iter().zip(unknowns.bounds()).map(bound).collect()
+        unknowns
+            .sought
+            .iter()
+            .zip(unknowns.bounds())
+            .map(bound)
+            .collect()
     }
 
     /// Searches from a place; `unknowns` may have more parameters fixed than the fit.
@@ -190,9 +199,8 @@ impl<'a> Weighted<'a> {
             }
         }
         let names = self.unknowns.sought.iter();
-        let of_angle = |&&j: &&usize| {
-            ["R", "angle0", "spin"].contains(&self.model.parameters()[j].name)
-        };
+        let of_angle =
+            |&&j: &&usize| ["R", "angle0", "spin"].contains(&self.model.parameters()[j].name);
         let angle_parameters = names.filter(of_angle).count();
         let position_parameters = self.unknowns.sought.len() - angle_parameters;
         let mean = |kind: usize, parameters: usize| {
@@ -208,7 +216,10 @@ impl<'a> Weighted<'a> {
     fn floored(&self, noise: Noise) -> Noise {
         let extent = self.model.scale("x0");
         Noise {
-            position: noise.position.max(LEAST_NOISE * extent).max(f64::MIN_POSITIVE),
+            position: noise
+                .position
+                .max(LEAST_NOISE * extent)
+                .max(f64::MIN_POSITIVE),
             angle: noise.angle.max(LEAST_NOISE),
         }
     }
@@ -218,9 +229,7 @@ impl<'a> Weighted<'a> {
 pub(super) fn first_noise(track: &Track) -> Noise {
     let third = |values: &[f64]| -> Vec<f64> {
         let fours = values.windows(4);
-        fours
-            .map(|w| w[3] - w[0] - 3.0 * (w[2] - w[1]))
-            .collect()
+        fours.map(|w| w[3] - w[0] - 3.0 * (w[2] - w[1])).collect()
     };
     let of = |differences: &[f64]| NORMAL * median_size(differences) / THIRD_DIFFERENCE.sqrt();
     let positions = [third(track.x()), third(track.y())].concat();

@@ -52,7 +52,11 @@ fn outliers(seen: &Seen<'_>) -> Vec<String> {
         let times = fit.dropped.iter().take(NAMED);
         let times = times.filter_map(|&i| fit.track.times().get(i).map(|t| format!("{t:.4}")));
         let times: Vec<String> = times.collect();
-        let more = if fit.dropped.len() > NAMED { ", ..." } else { "" };
+        let more = if fit.dropped.len() > NAMED {
+            ", ..."
+        } else {
+            ""
+        };
         words.push(format!(
             "{} of {} frames lie more than 6 standard deviations off and are left out (t = {}{more} s)",
             fit.dropped.len(),
@@ -82,7 +86,10 @@ fn ambiguities(seen: &Seen<'_>) -> Vec<String> {
         );
         if let Some(radius) = seen.radius {
             let [_, rim] = model.speeds(&fit.values());
-            words.push(format!("with R = {radius} m the spin at the first frame is {:.4} rad/s, to either side", rim / radius));
+            words.push(format!(
+                "with R = {radius} m the spin at the first frame is {:.4} rad/s, to either side",
+                rim / radius
+            ));
         }
     }
     for estimate in &fit.parameters {
@@ -110,8 +117,13 @@ fn ambiguities(seen: &Seen<'_>) -> Vec<String> {
     }
     for values in &seen.others {
         let names = model_names(model);
-        let told = names.iter().zip(values).take(model.body.law.parameters().len() + 1);
-        let told: Vec<String> = told.map(|(name, value)| format!("{name} = {value:.4}")).collect();
+        let told = names
+            .iter()
+            .zip(values)
+            .take(model.body.law.parameters().len() + 1);
+        let told: Vec<String> = told
+            .map(|(name, value)| format!("{name} = {value:.4}"))
+            .collect();
         words.push(format!(
             "another motion fits the frames as well, with {}; the intervals include it",
             told.join(", ")
@@ -127,7 +139,11 @@ fn ambiguities(seen: &Seen<'_>) -> Vec<String> {
 
 fn model_names(model: &TrackModel<'_>) -> Vec<&'static str> {
     use super::super::parameter::Model;
-    model.parameters().iter().map(|parameter| parameter.name).collect()
+    model
+        .parameters()
+        .iter()
+        .map(|parameter| parameter.name)
+        .collect()
 }
 
 /// A film that ends while the body slides.
@@ -195,16 +211,20 @@ fn hand(seen: &Seen<'_>) -> Option<String> {
     let track = &seen.fit.track;
     let width = (track.times().len() / WINDOWS).max(FEWEST);
     let mean = |column: &[f64]| column.iter().sum::<f64>() / column.len() as f64;
-    let starts: Vec<usize> = (0..track.times().len() / width).map(|k| k * width).collect();
+    let starts: Vec<usize> = (0..track.times().len() / width)
+        .map(|k| k * width)
+        .collect();
     let centre = |at: usize| {
-        [track.times(), track.x(), track.y()].map(|column| {
-            column.get(at..at + width).map_or(f64::NAN, mean)
-        })
+        [track.times(), track.x(), track.y()]
+            .map(|column| column.get(at..at + width).map_or(f64::NAN, mean))
     };
     let noise = seen.film.noise.position * (2.0 / width as f64).sqrt();
     let speeds = starts.windows(2).map(|pair| {
         let ([t, x, y], [later, there, aside]) = (centre(pair[0]), centre(pair[1]));
-        [libm::hypot(there - x, aside - y) / (later - t), noise / (later - t)]
+        [
+            libm::hypot(there - x, aside - y) / (later - t),
+            noise / (later - t),
+        ]
     });
     let speeds: Vec<[f64; 2]> = speeds.collect();
     let [first, _] = *speeds.first()?;
@@ -266,7 +286,9 @@ fn is_correlated(fit: &TrackFit) -> bool {
         pairs / squares
     };
     let bound = (BEYOND / (frames as f64).sqrt()).max(VISIBLE);
-    (0..fit.residuals.len()).step_by(frames.max(1)).any(|offset| of(offset) > bound)
+    (0..fit.residuals.len())
+        .step_by(frames.max(1))
+        .any(|offset| of(offset) > bound)
 }
 
 /// Time at which the body stops sliding, on the clock of the film; none if it does not soon.
@@ -288,7 +310,11 @@ pub(super) fn rest(model: &TrackModel<'_>, values: &[f64], track: &Track) -> Opt
     let mut low = 0.0;
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
-        if slides(middle) { low = middle } else { high = middle }
+        if slides(middle) {
+            low = middle
+        } else {
+            high = middle
+        }
     }
     Some(first + high)
 }

@@ -83,17 +83,25 @@ impl Disk {
 
     /// Frames from launch to some frames after the stop.
     pub fn film(&self, body: &Filmed, random: &mut Random, has_angle: bool) -> Track {
-        let longest = (RATE * (body.speed + body.spin.abs() * body.radius) / (body.mu * GRAVITY)) as usize;
+        let longest =
+            (RATE * (body.speed + body.spin.abs() * body.radius) / (body.mu * GRAVITY)) as usize;
         let path = self.motion(body, 3 * longest + 20);
         let end = path.last().map_or(0.0, |last| last[0]);
-        let stop = path.iter().position(|at| at[0] >= end).unwrap_or(path.len());
+        let stop = path
+            .iter()
+            .position(|at| at[0] >= end)
+            .unwrap_or(path.len());
         let frames = &path[..(stop + 10).min(path.len())];
         let times = (0..frames.len()).map(|k| 1.5 + k as f64 / RATE).collect();
         let (sin, cos) = (body.direction.sin(), body.direction.cos());
         let [position, turn] = body.noise;
-        let x = frames.iter().map(|at| 0.3 + cos * at[0] + position * normal(random));
+        let x = frames
+            .iter()
+            .map(|at| 0.3 + cos * at[0] + position * normal(random));
         let x = x.collect();
-        let y = frames.iter().map(|at| -0.2 + sin * at[0] + position * normal(random));
+        let y = frames
+            .iter()
+            .map(|at| -0.2 + sin * at[0] + position * normal(random));
         let y = y.collect();
         let angle = frames.iter().map(|at| 0.7 + at[1] + turn * normal(random));
         let angle: Vec<f64> = angle.collect();
