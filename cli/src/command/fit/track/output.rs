@@ -10,7 +10,7 @@ use tribos::fit::track::{TrackEstimate, TrackFit, TrackOptions};
 use tribos::record::{json_number, significant, write_atomically, write_series};
 
 /// Significant digits of the ends of an interval.
-const INTERVAL_DIGITS: usize = 4;
+const INTERVAL_DIGITS: usize = 5;
 
 /// For the person at the terminal.
 pub fn text(fit: &TrackFit, options: &TrackOptions) -> String {
