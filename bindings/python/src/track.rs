@@ -19,13 +19,16 @@ type Choice = (usize, Option<f64>, Option<f64>, usize);
 #[pyfunction]
 pub fn fit_track<'py>(
     py: Python<'py>,
-    (times, x, y, angle): Columns,
+    columns: Columns,
     law: &str,
     patch: &str,
     fixed: Vec<(String, f64)>,
-    (gravity, inertia_ratio, noise_position, noise_angle): Surroundings,
-    (skip, from, to, starts): Choice,
+    surroundings: Surroundings,
+    choice: Choice,
 ) -> PyResult<Bound<'py, PyDict>> {
+    let (times, x, y, angle) = columns;
+    let (gravity, inertia_ratio, noise_position, noise_angle) = surroundings;
+    let (skip, from, to, starts) = choice;
     let options = TrackOptions {
         law: law.parse().map_err(refused)?,
         patch: patch.parse::<Patch>().map_err(refused)?,

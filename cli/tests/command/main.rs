@@ -36,6 +36,7 @@ mod scene;
 mod sweep;
 mod sweep_refusals;
 mod tip;
+mod track;
 mod trajectories;
 mod transcripts;
 mod usage;

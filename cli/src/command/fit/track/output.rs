@@ -7,7 +7,10 @@ use serde_json::{Value, json};
 use std::path::Path;
 use tribos::fit::Uncertainty;
 use tribos::fit::track::{TrackEstimate, TrackFit, TrackOptions};
-use tribos::record::{json_number, write_atomically, write_series};
+use tribos::record::{json_number, significant, write_atomically, write_series};
+
+/// Significant digits of the ends of an interval.
+const INTERVAL_DIGITS: usize = 5;
 
 /// For the person at the terminal.
 pub fn text(fit: &TrackFit, options: &TrackOptions) -> String {
@@ -56,7 +59,7 @@ fn line(estimate: &TrackEstimate) -> String {
     let interval = match estimate.known {
         Uncertainty::Fixed => String::new(),
         _ => {
-            let [low, high] = estimate.interval.map(shown);
+            let [low, high] = estimate.interval.map(|end| significant(end, INTERVAL_DIGITS));
             format!("95 % {low} to {high}  ")
         }
     };

@@ -1,14 +1,12 @@
-//! Films of a disk whose motion is integrated apart from the library: its force and torque are sums over the face,
+//! Films of a disk whose motion is integrated apart from the library: its force and torque are integrals over rays,
 //! tabulated over the ratio of the speeds, and its motion is that of small Runge–Kutta steps.
 
 use super::super::Track;
 use tribos_base::random::Random;
 
-/// Rings and sectors of the face.
-const RINGS: usize = 60;
-const SECTORS: usize = 240;
-/// Places of the table.
-const PLACES: usize = 800;
+/// Directions of the integral, and places of the table.
+const DIRECTIONS: usize = 720;
+const PLACES: usize = 4000;
 /// Steps between two frames.
 const STEPS: usize = 60;
 pub const GRAVITY: f64 = 9.81;
@@ -22,21 +20,7 @@ impl Disk {
     pub fn new() -> Self {
         let at = |k: usize| {
             let w = k as f64 / PLACES as f64;
-            let v = 1.0 - w;
-            let mut sums = [0.0; 2];
-            for i in 0..RINGS {
-                // Rings of equal area.
-                let r = ((i as f64 + 0.5) / RINGS as f64).sqrt();
-                for j in 0..SECTORS {
-                    let angle = std::f64::consts::TAU * (j as f64 + 0.5) / SECTORS as f64;
-                    let (x, y) = (r * angle.cos(), r * angle.sin());
-                    let (ux, uy) = (v - w * y, w * x);
-                    let speed = ux.hypot(uy).max(1e-12);
-                    sums[0] += ux / speed;
-                    sums[1] += (x * uy - y * ux) / speed;
-                }
-            }
-            sums.map(|sum| sum / (RINGS * SECTORS) as f64)
+            if k == 0 { [1.0, 0.0] } else { wrench((1.0 - w) / w) }
         };
         Self((0..=PLACES).map(at).collect())
     }
@@ -107,6 +91,34 @@ impl Disk {
         let angle: Vec<f64> = angle.collect();
         Track::new(times, x, y, has_angle.then_some(angle)).unwrap()
     }
+}
+
+/// Force and torque of a disk of radius 1 that turns about a point at the distance d from its centre.
+///
+/// In polar coordinates about that point all elements of a ray slide across it. A ray at the angle φ is inside the disk
+/// between ρ = −d cos φ ± √(1 − d² sin² φ), and force and torque about the centre are
+/// ∫ −cos φ ρ²/2 dφ/π and ∫ (d cos φ ρ²/2 + ρ³/3) dφ/π between these bounds.
+fn wrench(d: f64) -> [f64; 2] {
+    let step = std::f64::consts::TAU / DIRECTIONS as f64;
+    let mut sums = [0.0; 2];
+    for k in 0..DIRECTIONS {
+        let turned = (k as f64 + 0.5) * step;
+        // From outside, rays meet the disk where d sin φ = sin θ, twice for each θ of a half turn.
+        let (cos, half, weight) = if d <= 1.0 {
+            let (sin, cos) = turned.sin_cos();
+            (cos, (1.0 - d * d * sin * sin).sqrt(), 1.0)
+        } else {
+            let (sin, half) = turned.sin_cos();
+            let cos = -(1.0 - sin * sin / (d * d)).sqrt();
+            (cos, half.abs(), 0.5 * half.abs() / (d * cos.abs()))
+        };
+        let far = -d * cos + half;
+        let near = if d <= 1.0 { 0.0 } else { -d * cos - half };
+        let (square, cube) = (far * far - near * near, far * far * far - near * near * near);
+        sums[0] -= weight * cos * square / 2.0;
+        sums[1] += weight * (d * cos * square / 2.0 + cube / 3.0);
+    }
+    sums.map(|sum| sum * step / std::f64::consts::PI)
 }
 
 /// A disk and its launch.
