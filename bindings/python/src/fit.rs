@@ -6,28 +6,55 @@ use crate::threads::detached;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use tribos::fit::support::{MeasuredPush, SupportFit, fit_support_within};
-use tribos::fit::{Fit, FitError, FitLaw, FitOptions, Measurements, Uncertainty};
+use tribos::fit::{
+    Apparatus, Fit, FitColumns, FitError, FitLaw, FitOptions, FittedLaw, Measurements, Uncertainty, Usage,
+    UsageTarget, compare,
+};
 use tribos::friction::{Area, Flat};
 use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
 use tribos_core::patch::nodes::NodePatch;
 use tribos_core::twist::{Twist, Wrench};
 
-/// Names of the laws that can be fitted, what is fitted, and their names in the catalogue: steady, over
-/// time.
+/// Names of the laws that can be fitted, and what is fitted.
 #[pyfunction]
-pub fn fit_laws() -> Vec<[&'static str; 4]> {
-    let row = |(law, name, help): (FitLaw, _, _)| [name, help, law.steady(), law.over_time()];
-    FitLaw::ALL.map(row).to_vec()
+pub fn fit_laws() -> Vec<[&'static str; 2]> {
+    FitLaw::ALL.map(|(_, name, help)| [name, help]).to_vec()
 }
 
-/// Velocities, friction, and times and standard deviations if there are any.
-type Columns = (Vec<f64>, Vec<f64>, Option<Vec<f64>>, Option<Vec<f64>>);
+/// Columns by role: velocities, friction; times, standard deviations, accelerations and loads if there are any.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Columns {
+    v: Vec<f64>,
+    f: Vec<f64>,
+    t: Option<Vec<f64>>,
+    sigma: Option<Vec<f64>>,
+    a: Option<Vec<f64>>,
+    load: Option<Vec<f64>>,
+}
 
-fn data((velocities, friction, times, sigma): Columns) -> Result<Measurements, FitError> {
-    Ok(match times {
-        None => Measurements::steady(velocities, friction, sigma)?,
-        Some(times) => Measurements::series(times, velocities, friction, sigma)?,
-    })
+impl From<Columns> for FitColumns {
+    fn from(columns: Columns) -> Self {
+        Self {
+            times: columns.t,
+            velocities: columns.v,
+            friction: columns.f,
+            sigma: columns.sigma,
+            acceleration: columns.a,
+            load: columns.load,
+        }
+    }
+}
+
+/// Inertia, offset and spring of the machine: whether they are fitted.
+type Machine = (bool, bool, bool);
+
+fn apparatus((inertia, offset, spring): Machine) -> Apparatus {
+    Apparatus {
+        inertia,
+        offset,
+        spring,
+    }
 }
 
 /// A refusal of measurements, with the point that it is about.
@@ -45,19 +72,94 @@ pub fn fit_law<'py>(
     py: Python<'py>,
     law: &str,
     columns: Columns,
+    machine: Machine,
     fixed: Vec<(String, f64)>,
     starts: usize,
 ) -> PyResult<Bound<'py, PyDict>> {
     let law: FitLaw = law.parse().map_err(refused)?;
     let found = detached(py, || {
-        let data = data(columns)?;
-        let model = law.model(&data)?;
-        data.fit(model.as_ref(), &FitOptions { fixed, starts })
+        let prepared = FitColumns::from(columns).prepared(Some(law))?;
+        let data = &prepared.data;
+        let model = law.model_on(data, apparatus(machine))?;
+        let fit = data.fit(model.as_ref(), &FitOptions { fixed, starts })?;
+        Ok((fit, prepared.resting, data.load().is_some()))
     })?;
-    result(py, &found.map_err(told)?)
+    let (fit, resting, is_per_load) = found.map_err(told)?;
+    let answer = result(py, law, &fit, is_per_load)?;
+    answer.set_item("resting", resting)?;
+    Ok(answer)
 }
 
-fn result<'py>(py: Python<'py>, fit: &Fit) -> PyResult<Bound<'py, PyDict>> {
+/// Fits all laws: those that the data admit, the best first, and why others are left out.
+#[pyfunction]
+#[expect(clippy::type_complexity, reason = "two lists")]
+pub fn fit_all_laws<'py>(
+    py: Python<'py>,
+    columns: Columns,
+    machine: Machine,
+    fixed: Vec<(String, f64)>,
+    starts: usize,
+) -> PyResult<(Vec<Bound<'py, PyDict>>, Vec<(&'static str, String)>)> {
+    let found = detached(py, || {
+        let prepared = FitColumns::from(columns).prepared(None)?;
+        let (data, options) = (&prepared.data, FitOptions { fixed, starts });
+        let found = compare(data, apparatus(machine), &options, &mut |_, _| ());
+        Ok((found, prepared.resting, data.load().is_some()))
+    })?;
+    let ((all, left_out), resting, is_per_load) = found.map_err(told)?;
+    let all = all.iter().map(|one| {
+        let answer = result(py, one.law, &one.fit, is_per_load)?;
+        answer.set_item("resting", resting)?;
+        answer.set_item("akaike", one.akaike)?;
+        answer.set_item("foretold", one.foretold)?;
+        answer.set_item("is_told_apart", one.is_told_apart)?;
+        Ok(answer)
+    });
+    let left_out = left_out.into_iter().map(|(law, why)| (law.name(), why.to_string()));
+    Ok((all.collect::<PyResult<_>>()?, left_out.collect()))
+}
+
+/// A fitted law as a program, a scene or coefficients of a simulator.
+#[pyfunction]
+pub fn fit_usage(
+    law: &str,
+    parameters: Vec<(String, f64)>,
+    is_per_load: bool,
+    target: &str,
+) -> PyResult<String> {
+    const TARGETS: [(&str, UsageTarget); 7] = [
+        ("rust", UsageTarget::Rust),
+        ("c", UsageTarget::C),
+        ("python", UsageTarget::Python),
+        ("scene", UsageTarget::Scene),
+        ("mujoco", UsageTarget::MuJoCo),
+        ("newton", UsageTarget::Newton),
+        ("gazebo", UsageTarget::Gazebo),
+    ];
+    let found = TARGETS.into_iter().find(|(name, _)| *name == target);
+    let (_, target) = found.ok_or_else(|| {
+        let names = TARGETS.map(|(name, _)| name).join(", ");
+        refused(format!("there is no target `{target}`; there are {names}"))
+    })?;
+    let parameters = parameters.iter().map(|(name, value)| (name.as_str(), *value));
+    let parameters: Vec<(&str, f64)> = parameters.collect();
+    let fitted = FittedLaw {
+        law,
+        parameters: &parameters,
+        is_per_load,
+    };
+    match fitted.usage(target).map_err(refused)? {
+        Usage::Text(text) => Ok(text),
+        Usage::NotPossible(why) => Err(refused(why)),
+    }
+}
+
+fn result<'py>(
+    py: Python<'py>,
+    law: FitLaw,
+    fit: &Fit,
+    is_per_load: bool,
+) -> PyResult<Bound<'py, PyDict>> {
     let estimates = fit.parameters.iter().map(|estimate| {
         let parameter = &estimate.parameter;
         let entry = PyDict::new(py);
@@ -71,6 +173,7 @@ fn result<'py>(py: Python<'py>, fit: &Fit) -> PyResult<Bound<'py, PyDict>> {
             Uncertainty::AtBound => (f64::NAN, "at its bound", Vec::new()),
             Uncertainty::Undetermined(others) => (f64::NAN, "not determined", others.clone()),
         };
+        entry.set_item("interval", estimate.interval)?;
         entry.set_item("error", error)?;
         entry.set_item("state", state)?;
         entry.set_item("trades_with", others)?;
@@ -92,10 +195,25 @@ fn result<'py>(py: Python<'py>, fit: &Fit) -> PyResult<Bound<'py, PyDict>> {
     answer.set_item("at_best", fit.at_best)?;
     answer.set_item("iterations", fit.iterations)?;
     answer.set_item("searched", fit.searched)?;
+    answer.set_item("error_factor", fit.error_factor)?;
+    let warnings = fit.cautions.iter().map(ToString::to_string);
+    answer.set_item("warnings", warnings.collect::<Vec<_>>())?;
+    let parameters = fit.parameters.iter();
+    let parameters: Vec<(&str, f64)> = parameters
+        .map(|estimate| (estimate.parameter.name, estimate.value))
+        .collect();
+    let fitted = FittedLaw {
+        law: law.name(),
+        parameters: &parameters,
+        is_per_load,
+    };
+    answer.set_item("name", law.name())?;
+    answer.set_item("is_per_load", is_per_load)?;
+    answer.set_item("law", fitted.spec().map_err(refused)?)?;
     Ok(answer)
 }
 
-/// Friction of a law with these values at speeds, or along a record over time.
+/// Friction of a law with these values at velocities, or along a record over time that begins in steady sliding.
 #[pyfunction]
 pub fn predict_law(
     py: Python<'_>,
@@ -103,13 +221,20 @@ pub fn predict_law(
     velocities: Vec<f64>,
     times: Option<Vec<f64>>,
     values: Vec<f64>,
+    spring: bool,
 ) -> PyResult<Vec<f64>> {
+    /// Larger than bristles carry: they begin as in steady sliding.
+    const STEADY: f64 = 1e100;
     let law: FitLaw = law.parse().map_err(refused)?;
     let predicted = detached(py, || {
-        // Any friction along the motion serves: models take their places from the data alone.
-        let friction = velocities.iter().map(|v| v.signum()).collect();
-        let data = data((velocities, friction, times, None))?;
-        Ok(law.model(&data)?.predict(&values))
+        let force = |v: &f64| if *v == 0.0 { 0.0 } else { STEADY.copysign(*v) };
+        let friction = velocities.iter().map(force).collect();
+        let data = match times {
+            Some(times) => Measurements::series(times, velocities, friction, None)?,
+            None => Measurements::steady(velocities, friction, None)?,
+        };
+        let machine = apparatus((false, false, spring));
+        Ok(law.model_on(&data, machine)?.predict(&values))
     })?;
     let refusal = || refused("the law refuses these values");
     predicted.map_err(told)?.ok_or_else(refusal)

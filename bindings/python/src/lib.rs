@@ -48,7 +48,7 @@ mod _native {
     #[pymodule_export]
     use contact::ContactLaw;
     #[pymodule_export]
-    use fit::{fit_law, fit_laws, fit_support, predict_law};
+    use fit::{fit_all_laws, fit_law, fit_laws, fit_support, fit_usage, predict_law};
     #[pymodule_export]
     use friction::Friction;
     #[pymodule_export]

@@ -10,8 +10,8 @@ use tribos::record::{
     read_log, used_columns,
 };
 
-/// Names of roles, and whether a log without them is refused.
-type Wanted = Vec<(String, bool)>;
+/// Names of roles, whether a log without them is refused, and whether only their own names count.
+type Wanted = Vec<(String, bool, bool)>;
 /// Columns and units by role, and lines to leave out.
 type Given = (Vec<(String, String)>, Vec<(String, String)>, u64);
 
@@ -19,9 +19,10 @@ type Given = (Vec<(String, String)>, Vec<(String, String)>, u64);
 const PUSHES: [&str; 6] = ["dx", "dy", "dtheta", "fx", "fy", "torque"];
 
 fn roles(wanted: &Wanted) -> PyResult<Vec<LogRole>> {
-    let role = |(name, is_needed): &(String, bool)| {
+    let role = |(name, is_needed, by_own_name): &(String, bool, bool)| {
         let known = LogRole::ALL.into_iter().find(|role| role.name == name);
         let known = known.ok_or_else(|| refused(format!("there is no role {name}")))?;
+        let known = if *by_own_name { known.by_own_name() } else { known };
         Ok(if *is_needed { known.needed() } else { known })
     };
     wanted.iter().map(role).collect()

@@ -16,7 +16,7 @@ import sys
 from tribos import _command, _native, _patches, cd, md, scenes
 from tribos._any_pressure import AnyPressure, TorqueLimits, any_pressure
 from tribos._contact import Collision, ContactLaw, Plates, Spheres
-from tribos._fit import Estimate, LawFit, SupportFit, fit, fit_support
+from tribos._fit import Compared, Estimate, LawFit, SupportFit, compare, fit, fit_support
 from tribos._friction import Friction
 from tribos._gradients import (
     PlanarStepBy,

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from tribos import _native
 from tribos._checks import number, positive
 from tribos._laws import Law
-from tribos._log import column, names_of, read, read_pushes
+from tribos._log import Log, column, names_of, read, read_pushes
 from tribos._patches import Patch, outline, points
 from tribos._surface import LimitSurface
 
@@ -37,6 +37,9 @@ class Estimate:
         ``"determined"``, ``"fixed"``, ``"at its bound"`` or ``"not determined"``.
     trades_with : tuple of str
         Parameters with which the data determine only a combination.
+    interval : tuple of float
+        Ends of the interval that covers the true value in 95 of 100 cases; infinite where the data do not
+        bound it.
     """
 
     name: str
@@ -46,6 +49,7 @@ class Estimate:
     error: float
     state: str
     trades_with: tuple[str, ...] = ()
+    interval: tuple[float, float] = (-np.inf, np.inf)
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,6 +77,11 @@ class LawFit:
         Whether rounding alone limited further descent.
     starts, at_best : int
         Starts from which a search was possible, and those that ended at the best minimum.
+    error_factor : float
+        Factor, at least 1, by which errors and intervals were enlarged because residuals follow each other
+        over time.
+    warnings : tuple of str
+        What to know before the numbers are used.
     read : tuple of str
         What was understood of data that are not in columns of SI named v, f and the like.
     dropped : dict of str to int
@@ -90,6 +99,11 @@ class LawFit:
     starts: int
     at_best: int
     is_record: bool
+    is_per_load: bool
+    has_spring: bool
+    error_factor: float
+    warnings: tuple[str, ...]
+    _spec: str | None = field(repr=False)
     read: tuple[str, ...] = ()
     dropped: dict[str, int] = field(default_factory=dict)
 
@@ -107,25 +121,37 @@ class LawFit:
         return self.parameters[name]
 
     @property
-    def law(self) -> Law:
-        """The fitted law of steady sliding, as a law of the local speed.
+    def intervals(self) -> dict[str, tuple[float, float]]:
+        """Intervals of 95 % by name."""
+        return {estimate.name: estimate.interval for estimate in self.estimates}
 
-        ValueError for laws that are none. A memory length that the data do not have is 1 m.
-        """
-        names = {row[0]: row[2] for row in _native.fit_laws()}
-        steady = names[self.name]
-        entries = [entry for entry in _native.laws() if entry["name"] == steady]
-        known = [parameter["name"] for entry in entries for parameter in entry["parameters"]]
-        values = {"dc": 1.0, **self.parameters}
-        return Law(steady, **{name: values[name] for name in known if name in values})
+    @property
+    def rms(self) -> float:
+        """Root mean square of the residuals, in the unit of friction; with a column sigma over it."""
+        return float(self.deviation * np.sqrt(self.freedoms / len(self.predictions)))
+
+    @property
+    def law(self) -> Law:
+        """The fitted law of steady sliding, as a law of the local speed; ValueError where there is none."""
+        if self._spec is None:
+            raise ValueError(f"no law of the speed is like {self.name}")
+        name, _, rest = self._spec.partition(":")
+        pairs = (pair.split("=") for pair in rest.split(",") if pair)
+        return Law(name, **{key: float(value) for key, value in pairs})
+
+    def usage(self, target: str) -> str:
+        """The fitted law as text: ``"rust"``, ``"c"``, ``"python"``, ``"scene"``, ``"mujoco"``, ``"newton"``, ``"gazebo"``."""
+        return _native.fit_usage(
+            self.name, list(self.parameters.items()), self.is_per_load, target
+        )
 
     def predict(self, speeds: ArrayLike, times: ArrayLike | None = None) -> Any:
-        """Friction of the fitted law.
+        """Friction of the fitted law alone, per load if loads were known, without inertia and offset.
 
         Parameters
         ----------
         speeds
-            Speeds above 0 in m/s; or, with times, velocities of a record.
+            Velocities in m/s, none 0; or, with times, those of a record, which begins in steady sliding.
         times
             Rising times of the record, in s: for laws that were fitted to a record over time.
         """
@@ -134,8 +160,10 @@ class LawFit:
             raise ValueError(f"this fit predicts from {wanted}")
         velocities = np.asarray(speeds, dtype=np.float64)
         moments = None if times is None else column("times", times).tolist()
-        values = [estimate.value for estimate in self.estimates]
-        made = _native.predict_law(self.name, velocities.ravel().tolist(), moments, values)
+        machine = ("inertia", "offset")
+        values = [estimate.value for estimate in self.estimates if estimate.name not in machine]
+        flat = velocities.ravel().tolist()
+        made = _native.predict_law(self.name, flat, moments, values, self.has_spring)
         return np.array(made).reshape(velocities.shape)[()]
 
     def __repr__(self) -> str:
@@ -147,6 +175,7 @@ class LawFit:
             lines.append(
                 f"  {estimate.name:<{width}}  {value:<12} {how:<16} {unit} {estimate.meaning}"
             )
+        lines.extend(f"  warning: {warning}" for warning in self.warnings)
         what = "square root of reduced chi²" if self.is_weighted else "residuals"
         end = "" if self.converged else "; the search did not converge"
         lines.append(
@@ -204,6 +233,29 @@ class SupportFit:
         return "\n".join(lines)
 
 
+@dataclass(frozen=True, eq=False)
+class Compared:
+    """A law on data that it shares with others.
+
+    Attributes
+    ----------
+    fit : LawFit
+        Its fit to all points.
+    akaike : float
+        Akaike's criterion less that of the best law.
+    foretold : float
+        Root mean square of residuals of points that the fit has not seen, in five parts; NaN where that would
+        take too long.
+    is_told_apart : bool
+        Whether the data tell this law from the best one.
+    """
+
+    fit: LawFit
+    akaike: float
+    foretold: float
+    is_told_apart: bool
+
+
 def fit(
     law: str,
     data: Any,
@@ -212,6 +264,9 @@ def fit(
     units: Mapping[str, str] | None = None,
     skip: int = 0,
     load: float | None = None,
+    inertia: bool = False,
+    offset: bool = False,
+    spring: float | str | None = None,
     fixed: Mapping[str, float] | None = None,
     starts: int = 16,
 ) -> LawFit:
@@ -220,14 +275,16 @@ def fit(
     Parameters
     ----------
     law
-        ``"stribeck"``, ``"lugre"``, ``"power"``, ``"rate-state"`` or ``"rate-state-slip"``.
+        ``"coulomb"``, ``"viscous"``, ``"stribeck"``, ``"tanh"``, ``"arctan"``, ``"rising"``, ``"power"``,
+        ``"amontons"``, ``"elastic-plastic"``, ``"dahl"``, ``"elasto-plastic"``, ``"lugre"``, ``"maxwell"``,
+        ``"rate-state"`` or ``"rate-state-slip"``.
     data
-        A table with the columns ``v`` and ``f``: friction of steady sliding at speeds in m/s; or ``t``,
-        ``v`` and ``f``: a record over time in s, for laws with a memory; either with ``sigma``, the
-        standard deviation of f. A mapping of columns, a structured array, a data frame, or the path of a
+        A table with the columns ``v`` and ``f``: friction of steady sliding at velocities in m/s; or ``t``,
+        ``v`` and ``f``: a record over time in s; either with ``sigma``, the standard deviation of f, ``load``
+        in N, ``a`` in m/s². A mapping of columns, a structured array, a data frame, or the path of a
         file with commas, semicolons, tabs or blanks between columns. Usual names in English and German
         and units in names, such as ``"Speed [mm/s]"``, are understood: `look` shows how. Rows without a
-        number, and rows whose time does not rise, are dropped.
+        number, rows whose time does not rise, and rows at rest under laws of sliding are dropped.
     columns
         Names or numbers from 1 of columns, such as ``{"t": "Time", "f": "-Fx"}``: a minus changes the
         sign, ``"none"`` leaves a column out.
@@ -236,7 +293,12 @@ def fit(
     skip
         Lines at the beginning of a file that are left out.
     load
-        Load in N at which f was measured as a force; friction is divided by it. None for coefficients.
+        Load in N at which f was measured as a force: parameters are then coefficients.
+    inertia, offset
+        Whether an inertia that is accelerated, and a constant force, are fitted as well.
+    spring
+        Under rate and state, v is the speed of the load point, and between it and the contact lies a spring:
+        its stiffness per load in 1/m, or ``"fit"``.
     fixed
         Parameters that keep these values.
     starts
@@ -255,28 +317,98 @@ def fit(
     >>> {name: round(value, 3) for name, value in found.parameters.items()}
     {'gamma': 0.008, 'alpha': -0.499}
     """
-    log = read(data, columns, units, skip)
-    table = log.columns
-    scale = 1.0 if load is None else positive("load", load)
+    usual = (("a",) if inertia else ()) + (("load",) if law == "amontons" else ())
+    log = read(data, columns, units, skip, usual)
+    machine, keep = _machine(inertia, offset, spring, fixed)
+    made = _native.fit_law(law, _columns(log, load), machine, keep, _count(starts))
+    return _law_fit(made, log, machine)
+
+
+def compare(
+    data: Any,
+    *,
+    columns: Mapping[str, str | int] | None = None,
+    units: Mapping[str, str] | None = None,
+    skip: int = 0,
+    load: float | None = None,
+    inertia: bool = False,
+    offset: bool = False,
+    fixed: Mapping[str, float] | None = None,
+    starts: int = 16,
+) -> list[Compared]:
+    """Fit all laws that the data admit; the best comes first by Akaike's criterion.
+
+    Parameters
+    ----------
+    data, columns, units, skip, load, inertia, offset, fixed, starts
+        As in `fit`; a parameter that is kept concerns the laws that have it.
+
+    Examples
+    --------
+    >>> import tribos
+    >>> v = [0.01 * k for k in range(1, 41)]
+    >>> f = [0.2 + 0.5 * x + 0.001 * (-1) ** k for k, x in enumerate(v)]
+    >>> tribos.compare({"v": v, "f": f})[0].fit.name
+    'viscous'
+    """
+    log = read(data, columns, units, skip, ("a",) if inertia else ())
+    machine, keep = _machine(inertia, offset, None, fixed)
+    found, _ = _native.fit_all_laws(_columns(log, load), machine, keep, _count(starts))
+    return [
+        Compared(
+            _law_fit(made, log, machine), made["akaike"], made["foretold"], made["is_told_apart"]
+        )
+        for made in found
+    ]
+
+
+def _count(starts: int) -> int:
     count = int(starts)
     if not 0 < count <= 10_000:
         raise ValueError(f"starts must be a whole number from 1 to 10000, not {starts!r}")
+    return count
+
+
+def _machine(
+    inertia: bool, offset: bool, spring: float | str | None, fixed: Mapping[str, float] | None
+) -> tuple[tuple[bool, bool, bool], list[tuple[str, float]]]:
+    """What is fitted beside the law, and parameters that are kept."""
     keep = [(str(name), number(name, value)) for name, value in (fixed or {}).items()]
-    times = table.get("t")
-    sigma = table.get("sigma")
-    measured = (
-        table["v"].tolist(),
-        (table["f"] / scale).tolist(),
-        None if times is None else times.tolist(),
-        None if sigma is None else (sigma / scale).tolist(),
-    )
-    made = _native.fit_law(law, measured, keep, count)
+    if isinstance(spring, str) and spring != "fit":
+        raise ValueError(f'spring must be a stiffness per load in 1/m or "fit", not {spring!r}')
+    if spring is not None and not isinstance(spring, str):
+        keep.append(("spring", positive("spring", spring)))
+    return (bool(inertia), bool(offset), spring is not None), keep
+
+
+def _columns(log: Log, load: float | None) -> dict[str, list[float] | None]:
+    """Columns by role, with a load that is given as one."""
+    table: dict[str, list[float] | None] = {
+        name: log.columns[name].tolist() if name in log.columns else None
+        for name in ("t", "v", "f", "sigma", "a", "load")
+    }
+    if load is not None:
+        if table["load"] is not None:
+            raise ValueError("a column load and load are both given; leave one out")
+        table["load"] = [positive("load", load)] * len(log.columns["f"])
+    return table
+
+
+def _law_fit(made: dict[str, Any], log: Log, machine: tuple[bool, bool, bool]) -> LawFit:
     free = sum(row["state"] == "determined" for row in made["estimates"])
     estimates = [
-        Estimate(**{**row, "trades_with": tuple(row["trades_with"])}) for row in made["estimates"]
+        Estimate(
+            **{
+                **row,
+                "trades_with": tuple(row["trades_with"]),
+                "interval": (row["interval"][0], row["interval"][1]),
+            }
+        )
+        for row in made["estimates"]
     ]
+    resting = {"at rest": made["resting"]} if made["resting"] else {}
     return LawFit(
-        name=law,
+        name=made["name"],
         estimates=tuple(estimates),
         covariance=np.array(made["covariance"]).reshape(free, free),
         predictions=np.array(made["predictions"]),
@@ -286,9 +418,14 @@ def fit(
         converged=made["converged"],
         starts=made["starts"],
         at_best=made["at_best"],
-        is_record=times is not None,
+        is_record="t" in log.columns,
+        is_per_load=made["is_per_load"],
+        has_spring=machine[2],
+        error_factor=made["error_factor"],
+        warnings=tuple(made["warnings"]),
+        _spec=made["law"],
         read=log.brief,
-        dropped=log.dropped,
+        dropped={**log.dropped, **resting},
     )
 
 

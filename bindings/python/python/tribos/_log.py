@@ -14,8 +14,16 @@ from numpy.typing import NDArray
 from tribos import _native
 
 Array = NDArray[np.float64]
-# Roles of a fit, and whether a log without them is refused.
-_FIT = (("t", False), ("v", True), ("f", True), ("sigma", False), ("x", False))
+# Roles of a fit: whether a log without them is refused, and whether only their own names count.
+_FIT = (
+    ("t", False, False),
+    ("v", True, False),
+    ("f", True, False),
+    ("sigma", False, False),
+    ("x", False, False),
+    ("a", False, True),
+    ("load", False, True),
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,10 +101,11 @@ def read(
     columns: Mapping[str, str | int] | None,
     units: Mapping[str, str] | None,
     skip: int,
+    usual: tuple[str, ...] = (),
 ) -> Log:
-    """Velocity, friction and what else a fit reads, of a file or a table."""
+    """Velocity, friction and what else a fit reads, of a file or a table; roles whose usual names count as well."""
     given = _given(columns, units, skip)
-    wanted = list(_FIT)
+    wanted = [(name, needed, own and name not in usual) for name, needed, own in _FIT]
     if isinstance(data, (str, os.PathLike)):
         made = _native.read_file(_existing(data), wanted, given)
     else:

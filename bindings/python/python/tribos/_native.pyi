@@ -30,9 +30,11 @@ __all__ = [
     "World",
     "__version__",
     "command",
+    "fit_all_laws",
     "fit_law",
     "fit_laws",
     "fit_support",
+    "fit_usage",
     "fit_track",
     "folder_scene",
     "host",
@@ -66,13 +68,20 @@ __all__ = [
 ]
 __version__: str
 
-_Wanted = list[tuple[str, bool]]
+_Wanted = list[tuple[str, bool, bool]]
 _Given = tuple[list[tuple[str, str]], list[tuple[str, str]], int]
 
 def command(arguments: list[str]) -> int: ...
+def fit_all_laws(
+    columns: dict[str, list[float] | None],
+    machine: tuple[bool, bool, bool],
+    fixed: list[tuple[str, float]],
+    starts: int,
+) -> tuple[list[dict[str, Any]], list[tuple[str, str]]]: ...
 def fit_law(
     law: str,
-    columns: tuple[list[float], list[float], list[float] | None, list[float] | None],
+    columns: dict[str, list[float] | None],
+    machine: tuple[bool, bool, bool],
     fixed: list[tuple[str, float]],
     starts: int,
 ) -> dict[str, Any]: ...
@@ -80,6 +89,9 @@ def fit_laws() -> list[list[str]]: ...
 def fit_support(
     pushes: list[list[float]], patch: Patch | None, loops: list[list[list[float]]]
 ) -> dict[str, Any]: ...
+def fit_usage(
+    law: str, parameters: list[tuple[str, float]], is_per_load: bool, target: str
+) -> str: ...
 def fit_track(
     columns: tuple[list[float], list[float], list[float], list[float] | None],
     law: str,
@@ -117,7 +129,11 @@ def strokes_of(
 ) -> dict[str, Any]: ...
 def num_threads() -> int: ...
 def predict_law(
-    law: str, velocities: list[float], times: list[float] | None, values: list[float]
+    law: str,
+    velocities: list[float],
+    times: list[float] | None,
+    values: list[float],
+    spring: bool,
 ) -> list[float]: ...
 def push_along(
     surface: LimitSurface,

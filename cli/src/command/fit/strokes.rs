@@ -101,7 +101,7 @@ fn read(
         LogRole::FRICTION.needed(),
         LogRole::VELOCITY,
         LogRole::POSITION,
-        super::table::by_name(LogRole::LOAD),
+        LogRole::LOAD.by_own_name(),
     ];
     let explained = |failure: TableError| Failure::input(format!("{failure} {EXPECTED}"));
     let mut log = read_log(file, &ROLES, options).map_err(explained)?;

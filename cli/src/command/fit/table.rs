@@ -34,15 +34,6 @@ pub const ROLES: [LogRole; 7] = [
     LogRole::LOAD,
 ];
 
-/// A role whose column only bears its own name, or is named by `--columns`: many logs hold it beside a coefficient that is
-/// per load already.
-pub const fn by_name(role: LogRole) -> LogRole {
-    LogRole {
-        synonyms: &[],
-        ..role
-    }
-}
-
 impl Table {
     /// Reads velocity and friction, and what else there is, for a law or for all of them.
     pub fn read(
@@ -57,11 +48,12 @@ impl Table {
             LogRole::VELOCITY.needed(),
             LogRole::FRICTION.needed(),
             LogRole::DEVIATION,
-            by_name(LogRole::ACCELERATION),
+            // Many logs hold more than the force: what is not asked for counts where it bears the role's own name.
+            LogRole::ACCELERATION.by_own_name(),
         ];
         roles.push(match law {
             Some(FitLaw::Amontons) => LogRole::LOAD.needed(),
-            _ => by_name(LogRole::LOAD),
+            _ => LogRole::LOAD.by_own_name(),
         });
         if machine.inertia {
             roles[4] = LogRole::ACCELERATION;

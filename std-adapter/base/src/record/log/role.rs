@@ -152,6 +152,15 @@ impl LogRole {
         }
     }
 
+    /// The same, for a column that bears its own name or is named by the user alone.
+    #[must_use]
+    pub const fn by_own_name(self) -> Self {
+        Self {
+            synonyms: &[],
+            ..self
+        }
+    }
+
     /// The unit in SI of numbers that have none.
     pub fn unit(&self) -> &'static str {
         self.dimensions
