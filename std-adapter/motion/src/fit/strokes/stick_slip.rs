@@ -5,11 +5,11 @@ use std::ops::Range;
 /// Stick–slip of one stroke.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StickSlip {
-    /// Number of slips.
+    /// Number of slips; 0 if there are fewer than three.
     pub slips: usize,
     /// Mean fall of the friction in a slip, in the unit of friction; none without slips.
     pub drop: Option<f64>,
-    /// Mean time between slips that follow each other, in s; none with fewer than two.
+    /// Mean time between slips that follow each other, in s; none without slips that follow each other.
     pub period: Option<f64>,
 }
 
@@ -33,8 +33,8 @@ const FEWEST: usize = 5;
 const REGULAR: f64 = 0.5;
 /// Rows so few standard deviations of the noise from a turning point may be the turning point.
 const DOUBT: f64 = 3.0;
-/// Fewest slips that are stick–slip: one fall alone is that of the static peak.
-const FEWEST_SLIPS: usize = 2;
+/// Fewest slips that are stick–slip: one fall is that of the static peak, and another may be a place of the track.
+const FEWEST_SLIPS: usize = 3;
 
 /// The smallest fall that counts as a slip of friction with this mean and noise.
 pub(super) fn smallest_fall(mean: f64, noise: f64) -> f64 {

@@ -174,6 +174,35 @@ fn noise_at_rest_and_slow_turns_make_no_strokes() {
     }
 }
 
+#[test]
+fn springs_that_turn_round_and_drives_that_settle_are_no_friction_and_no_strokes() {
+    // The machine's springs take two fifths of a stroke, with a peak at their end; the drive settles by
+    // two short moves to and fro in a rest.
+    let mut made = Made::default();
+    for k in 0..12 {
+        let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+        for i in 0..ROWS {
+            let part = i as f64 / (0.4 * ROWS as f64);
+            let friction = if part < 1.0 { -0.3 + 0.6 * part } else { 0.3 };
+            made.push(sign * SPEED, sign * friction);
+        }
+        for i in 0..60 {
+            let v = match i {
+                20..24 => -0.2 * SPEED,
+                40..44 => 0.2 * SPEED,
+                _ => 0.0,
+            };
+            made.push(sign * v, sign * 0.3);
+        }
+    }
+    let found = made.strokes();
+    assert_eq!(found.strokes.len(), 12);
+    for stroke in &found.strokes {
+        close(stroke.mean, 0.3, 1e-12);
+        close(stroke.length.unwrap(), SPEED * STEP * 399.0, 1e-12);
+    }
+}
+
 /// Starts of one direction, each after a rest that keeps half of the friction, with a peak that grows with its number.
 fn starts(count: usize) -> Made {
     let mut made = Made::default();
