@@ -370,12 +370,27 @@ fn positions_alone_give_the_same_strokes() {
             0.02 * 0.04 + 4.0 * noise,
         );
     }
-    // An encoder whose steps are longer than the way of a row.
-    let steps = path.iter().map(|x| (x / 5e-4).floor() * 5e-4).collect();
-    let record = StrokeRecord::new(made.t.clone(), made.f.clone()).unwrap();
-    let record = record.with_positions(steps).unwrap();
-    let found = Strokes::new(&record, &StrokeOptions::default()).unwrap();
-    assert_eq!(found.strokes.len(), 10);
+    // Encoders whose steps are longer than the way of a row, up to that of twenty.
+    for step in [5e-4, 2e-3] {
+        let steps = path.iter().map(|x| (x / step).floor() * step).collect();
+        let record = StrokeRecord::new(made.t.clone(), made.f.clone()).unwrap();
+        let record = record.with_positions(steps).unwrap();
+        let found = Strokes::new(&record, &StrokeOptions::default()).unwrap();
+        assert_eq!(found.strokes.len(), 10, "{step}");
+    }
+}
+
+#[test]
+fn a_set_velocity_of_several_speeds_is_no_rounding() {
+    let mut made = Made::default();
+    for k in 0..10 {
+        let speed = if k < 6 { SPEED } else { 0.1 * SPEED };
+        let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+        for _ in 0..ROWS {
+            made.push(sign * speed, sign * 0.3);
+        }
+    }
+    assert_eq!(made.strokes().strokes.len(), 10);
 }
 
 #[test]
