@@ -103,7 +103,11 @@ pub(super) fn velocities(times: &[f64], positions: &[f64], share: f64) -> Vec<f6
         (0..count).map(one).collect()
     };
     let step = smallest_change(positions);
-    let rounding = if step.is_finite() { step / ROUNDING.sqrt() } else { 0.0 };
+    let rounding = if step.is_finite() {
+        step / ROUNDING.sqrt()
+    } else {
+        0.0
+    };
     let spread = std::f64::consts::SQRT_2 * noise(positions).max(rounding);
     let intervals = times.windows(2).map(|w| match w {
         [a, b] => b - a,
