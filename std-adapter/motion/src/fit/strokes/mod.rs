@@ -16,8 +16,8 @@
 //!   reaches half of its median over the second half of the stroke: before, the machine's springs turn round. Mean and
 //!   standard deviation of the friction over its rows.
 //! - **Stick–slip.** A saw-tooth: friction falls by more than ten standard deviations of the noise and 2 % of the mean,
-//!   in at most half of the time of the rise before, which is straight to a fifth of the fall. A single fall is that of the
-//!   static peak.
+//!   in at most half of the time of the rise before, which is straight to a fifth of the fall. One fall is that of the static
+//!   peak: fewer than three are no stick–slip.
 //! - **Run-in**: [`RunIn`] has the rule. Strokes that the record cuts off are left out of the summary.
 //!
 //! ```

@@ -8,6 +8,8 @@ pub(in crate::fit) const SIGMAS_PER_MEDIAN: f64 = 1.482_602_218_505_602;
 /// 1 + 16 + 36 + 16 + 1.
 const SECOND: f64 = 6.0;
 const FOURTH: f64 = 70.0;
+/// A signal that changes in fewer than one of so many rows is set, not rounded.
+const RARE: usize = 20;
 /// Variance of the rounding to whole steps, in squares of the step.
 const ROUNDING: f64 = 12.0;
 
@@ -15,7 +17,8 @@ const ROUNDING: f64 = 12.0;
 ///
 /// The smaller of two estimates, from the medians of the absolute second and fourth differences: a
 /// smooth signal vanishes in the fourth, and the jumps of a saw-tooth spoil fewer of the second. It is no
-/// smaller than the rounding to whole steps, where the smallest change between rows is one step.
+/// smaller than the rounding to whole steps, where the smallest change between rows is one step, unless the signal
+/// changes seldom: then it is set, not measured.
 pub(super) fn noise(signal: &[f64]) -> f64 {
     noise_within(signal, std::iter::once(0..signal.len()))
 }
@@ -23,7 +26,7 @@ pub(super) fn noise(signal: &[f64]) -> f64 {
 /// The same within some ranges of rows alone: a sensor is quieter at rest.
 pub(super) fn noise_within(signal: &[f64], ranges: impl Iterator<Item = Range<usize>>) -> f64 {
     let (mut second, mut fourth) = (Vec::new(), Vec::new());
-    let mut step = f64::INFINITY;
+    let (mut step, mut changes, mut count) = (f64::INFINITY, 0, 0);
     for rows in ranges.filter_map(|rows| signal.get(rows)) {
         second.extend(rows.windows(3).filter_map(|w| match w {
             [a, b, c] => Some((a - 2.0 * b + c).abs()),
@@ -33,19 +36,26 @@ pub(super) fn noise_within(signal: &[f64], ranges: impl Iterator<Item = Range<us
             [a, b, c, d, e] => Some(((a + e) - 4.0 * (b + d) + 6.0 * c).abs()),
             _ => None,
         }));
-        let changes = rows.windows(2).filter_map(|w| match w {
-            [a, b] if a != b => Some((b - a).abs()),
-            _ => None,
-        });
-        step = changes.fold(step, f64::min);
+        step = step.min(smallest_change(rows));
+        changes += rows.windows(2).filter(|w| w.first() != w.last()).count();
+        count += rows.len();
     }
     let second = median(second) * SIGMAS_PER_MEDIAN / SECOND.sqrt();
     let fourth = median(fourth) * SIGMAS_PER_MEDIAN / FOURTH.sqrt();
-    let rounding = match step.is_finite() {
+    let rounding = match step.is_finite() && changes * RARE > count {
         true => step / ROUNDING.sqrt(),
         false => 0.0,
     };
     second.min(fourth).max(rounding)
+}
+
+/// The smallest change from row to row that is one; infinite without any.
+fn smallest_change(rows: &[f64]) -> f64 {
+    let changes = rows.windows(2).filter_map(|w| match w {
+        [a, b] if a != b => Some((b - a).abs()),
+        _ => None,
+    });
+    changes.fold(f64::INFINITY, f64::min)
 }
 
 /// Median of values without NaN, the upper one of two; 0 of none.
@@ -92,16 +102,22 @@ pub(super) fn velocities(times: &[f64], positions: &[f64], share: f64) -> Vec<f6
         };
         (0..count).map(one).collect()
     };
-    let spread = std::f64::consts::SQRT_2 * noise(positions);
-    let steps = times.windows(2).map(|w| match w {
+    let step = smallest_change(positions);
+    let rounding = if step.is_finite() {
+        step / ROUNDING.sqrt()
+    } else {
+        0.0
+    };
+    let spread = std::f64::consts::SQRT_2 * noise(positions).max(rounding);
+    let intervals = times.windows(2).map(|w| match w {
         [a, b] => b - a,
         _ => 0.0,
     });
-    let step = median(steps.collect());
+    let interval = median(intervals.collect());
     let mut half = 1;
     loop {
         let found = at(half);
-        let doubt = spread / (2.0 * half as f64 * step);
+        let doubt = spread / (2.0 * half as f64 * interval);
         if SIGMAS * doubt <= share * largest(&found) || 2 * half > count / WIDEST {
             return found;
         }

@@ -26,7 +26,8 @@ impl Strokes {
             .map(|peak| peak - self.summary.mean);
         if excess.is_some_and(|excess| excess < CLEAR * self.noise) {
             notes.push(
-                "static peaks do not stand out of the noise: they are bounds from above".to_owned(),
+                "static peaks do not exceed the mean by more than the noise: no peak is seen"
+                    .to_owned(),
             );
         }
         notes

@@ -5,11 +5,11 @@ use std::ops::Range;
 /// Stick–slip of one stroke.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StickSlip {
-    /// Number of slips.
+    /// Number of slips; 0 if there are fewer than three.
     pub slips: usize,
     /// Mean fall of the friction in a slip, in the unit of friction; none without slips.
     pub drop: Option<f64>,
-    /// Mean time between slips that follow each other, in s; none with fewer than two.
+    /// Mean time between slips that follow each other, in s; none without slips that follow each other.
     pub period: Option<f64>,
 }
 
@@ -24,17 +24,12 @@ const FALL: f64 = 0.5;
 const QUICK: usize = 1;
 /// Largest deviation of a stick from a straight line, in the root mean square, as a share of the fall.
 const STRAIGHT: f64 = 0.2;
-/// A stick that deviates from a straight line by less than so many standard deviations of the noise has its
-/// ends on that line.
-const WITHIN_NOISE: f64 = 1.5;
-/// Fewest rows of a stick with a line of its own.
-const FEWEST: usize = 5;
 /// Smallest share of slips among the falls: waves and slow noise fall quickly now and then.
 const REGULAR: f64 = 0.5;
 /// Rows so few standard deviations of the noise from a turning point may be the turning point.
 const DOUBT: f64 = 3.0;
-/// Fewest slips that are stick–slip: one fall alone is that of the static peak.
-const FEWEST_SLIPS: usize = 2;
+/// Fewest slips that are stick–slip: one fall is that of the static peak, and another may be a place of the track.
+const FEWEST_SLIPS: usize = 3;
 
 /// The smallest fall that counts as a slip of friction with this mean and noise.
 pub(super) fn smallest_fall(mean: f64, noise: f64) -> f64 {
@@ -48,32 +43,19 @@ pub(super) fn stick_slip(times: &[f64], friction: &[f64], mean: f64, noise: f64)
     let mut falls = Vec::new();
     let mut moments = Vec::new();
     let time = |i: usize| times.get(i).copied().unwrap_or(0.0);
+    let value = |i: usize| friction.get(i).copied().unwrap_or(0.0);
     for (k, stick) in sticks.iter().enumerate() {
-        let valley = sticks
-            .get(k + 1)
-            .map_or(stick.valley, |next| next.rise.start);
         let peak = stick.rise.end - 1;
-        let fall_time = time(valley) - time(peak);
+        let fall = value(peak) - value(stick.valley);
+        let fall_time = time(stick.valley) - time(peak);
         let rise_time = time(peak) - time(stick.rise.start);
-        let is_quick = valley - peak <= QUICK || fall_time <= FALL * rise_time;
-        // The first stick of a stroke loads the contact from anywhere: its end alone counts.
-        let line = Line::through(friction, &stick.rise);
-        let value = |i: usize| friction.get(i).copied().unwrap_or(0.0);
-        let raw = value(peak) - value(valley);
-        if !is_quick || (k > 0 && line.deviation > STRAIGHT * raw) {
-            continue;
+        let is_quick = stick.valley - peak <= QUICK || fall_time <= FALL * rise_time;
+        // The first stick of a stroke loads the contact from anywhere: it may bend.
+        let is_straight = k == 0 || bend(friction, &stick.rise) <= STRAIGHT * fall;
+        if is_quick && is_straight {
+            falls.push(fall);
+            moments.push((k, time(peak)));
         }
-        let ends = |line: &Line, raw: f64, end: f64| match line.deviation <= WITHIN_NOISE * noise {
-            true if line.rows >= FEWEST => end,
-            _ => raw,
-        };
-        let top = ends(&line, value(peak), line.last);
-        let bottom = sticks.get(k + 1).map_or(value(valley), |next| {
-            let line = Line::through(friction, &next.rise);
-            ends(&line, value(valley), line.first)
-        });
-        falls.push(top - bottom);
-        moments.push((k, time(peak)));
     }
     if (falls.len() as f64) < REGULAR * sticks.len() as f64 {
         return StickSlip::default();
@@ -159,37 +141,22 @@ fn sharpen(sticks: &mut [Stick], friction: &[f64], doubt: f64) {
     }
 }
 
-/// The straight line through a stick by least squares.
-struct Line {
-    rows: usize,
-    first: f64,
-    last: f64,
-    /// Root mean square of what it leaves.
-    deviation: f64,
-}
-
-impl Line {
-    fn through(friction: &[f64], rows: &Range<usize>) -> Self {
-        let values = friction.get(rows.clone()).unwrap_or_default();
-        let count = values.len() as f64;
-        let middle = 0.5 * (count - 1.0);
-        let mean = values.iter().sum::<f64>() / count;
-        let (mut moment, mut squares) = (0.0, 0.0);
-        for (i, value) in values.iter().enumerate() {
-            let x = i as f64 - middle;
-            moment += x * (value - mean);
-            squares += x * x;
-        }
-        let slope = if squares > 0.0 { moment / squares } else { 0.0 };
-        let left = values.iter().enumerate().map(|(i, value)| {
-            let left = value - mean - slope * (i as f64 - middle);
-            left * left
-        });
-        Self {
-            rows: values.len(),
-            first: mean - slope * middle,
-            last: mean + slope * middle,
-            deviation: (left.sum::<f64>() / count).sqrt(),
-        }
+/// Root mean square of what the straight line through a stick, by least squares, leaves.
+fn bend(friction: &[f64], rows: &Range<usize>) -> f64 {
+    let values = friction.get(rows.clone()).unwrap_or_default();
+    let count = values.len() as f64;
+    let middle = 0.5 * (count - 1.0);
+    let mean = values.iter().sum::<f64>() / count;
+    let (mut moment, mut squares) = (0.0, 0.0);
+    for (i, value) in values.iter().enumerate() {
+        let x = i as f64 - middle;
+        moment += x * (value - mean);
+        squares += x * x;
     }
+    let slope = if squares > 0.0 { moment / squares } else { 0.0 };
+    let left = values.iter().enumerate().map(|(i, value)| {
+        let left = value - mean - slope * (i as f64 - middle);
+        left * left
+    });
+    (left.sum::<f64>() / count).sqrt()
 }

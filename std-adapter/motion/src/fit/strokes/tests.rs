@@ -174,6 +174,35 @@ fn noise_at_rest_and_slow_turns_make_no_strokes() {
     }
 }
 
+#[test]
+fn springs_that_turn_round_and_drives_that_settle_are_no_friction_and_no_strokes() {
+    // The machine's springs take two fifths of a stroke, with a peak at their end; the drive settles by
+    // two short moves to and fro in a rest.
+    let mut made = Made::default();
+    for k in 0..12 {
+        let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+        for i in 0..ROWS {
+            let part = i as f64 / (0.4 * ROWS as f64);
+            let friction = if part < 1.0 { -0.3 + 0.6 * part } else { 0.3 };
+            made.push(sign * SPEED, sign * friction);
+        }
+        for i in 0..60 {
+            let v = match i {
+                20..24 => -0.2 * SPEED,
+                40..44 => 0.2 * SPEED,
+                _ => 0.0,
+            };
+            made.push(sign * v, sign * 0.3);
+        }
+    }
+    let found = made.strokes();
+    assert_eq!(found.strokes.len(), 12);
+    for stroke in &found.strokes {
+        close(stroke.mean, 0.3, 1e-12);
+        close(stroke.length.unwrap(), SPEED * STEP * 399.0, 1e-12);
+    }
+}
+
 /// Starts of one direction, each after a rest that keeps half of the friction, with a peak that grows with its number.
 fn starts(count: usize) -> Made {
     let mut made = Made::default();
@@ -341,12 +370,27 @@ fn positions_alone_give_the_same_strokes() {
             0.02 * 0.04 + 4.0 * noise,
         );
     }
-    // An encoder whose steps are longer than the way of a row.
-    let steps = path.iter().map(|x| (x / 5e-4).floor() * 5e-4).collect();
-    let record = StrokeRecord::new(made.t.clone(), made.f.clone()).unwrap();
-    let record = record.with_positions(steps).unwrap();
-    let found = Strokes::new(&record, &StrokeOptions::default()).unwrap();
-    assert_eq!(found.strokes.len(), 10);
+    // Encoders whose steps are longer than the way of a row, up to that of twenty.
+    for step in [5e-4, 2e-3] {
+        let steps = path.iter().map(|x| (x / step).floor() * step).collect();
+        let record = StrokeRecord::new(made.t.clone(), made.f.clone()).unwrap();
+        let record = record.with_positions(steps).unwrap();
+        let found = Strokes::new(&record, &StrokeOptions::default()).unwrap();
+        assert_eq!(found.strokes.len(), 10, "{step}");
+    }
+}
+
+#[test]
+fn a_set_velocity_of_several_speeds_is_no_rounding() {
+    let mut made = Made::default();
+    for k in 0..10 {
+        let speed = if k < 6 { SPEED } else { 0.1 * SPEED };
+        let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+        for _ in 0..ROWS {
+            made.push(sign * speed, sign * 0.3);
+        }
+    }
+    assert_eq!(made.strokes().strokes.len(), 10);
 }
 
 #[test]
