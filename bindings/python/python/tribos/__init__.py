@@ -65,6 +65,7 @@ _command.host(["python", *getattr(sys, "argv", [])])
 __all__ = [
     "AnyPressure",
     "Collision",
+    "Compared",
     "ConeEdge",
     "ContactForce",
     "ContactLaw",
@@ -110,6 +111,7 @@ __all__ = [
     "any_pressure",
     "cases",
     "cd",
+    "compare",
     "fit",
     "fit_support",
     "fit_track",
