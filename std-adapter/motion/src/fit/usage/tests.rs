@@ -222,24 +222,31 @@ fn checked(program: &str, wanted: &[[f64; 2]]) -> String {
 
 /// The page with the programs of all samples.
 fn page() -> String {
-    let mut page = "# Programs of fitted laws\n\nWritten by the tests of `usage`. What is behind each law is what its programs in Rust, \
-         C and Python print: a velocity in m/s and friction.\n".to_owned();
+    let mut page = "# Programs of fitted laws\n\nWritten by the tests of `usage`. What is behind the programs of a law is what they print: \
+         a velocity in m/s and friction.\n".to_owned();
     for sample in SAMPLES {
         let wanted = sample.3();
         let rust = checked(&text(sample, UsageTarget::Rust), &wanted);
-        let python = text(sample, UsageTarget::Python);
+        let [c, python, scene] = [UsageTarget::C, UsageTarget::Python, UsageTarget::Scene]
+            .map(|target| text(sample, target));
+        // A sentence where there is no scene.
+        let scene = if scene.contains("body") {
+            format!("```toml\n{scene}```\n")
+        } else {
+            format!("{scene}\n")
+        };
         let rows = wanted.iter().map(|[v, f]| format!("{v:?} {f:?}\n"));
         let rows: String = rows.collect();
         page += &format!(
-            "\n## {}\n\n```rust\n{rust}```\n\n```python\n{python}```\n\n```text\n{rows}```\n",
+            "\n## {}\n\n```rust\n{rust}```\n\n```c\n{c}```\n\n```python\n{python}```\n\n```text\n{rows}```\n\n{scene}",
             sample.0
         );
     }
     page
 }
 
-/// The programs of the page are compiled and run: those in Rust by the tests of the documentation, those in
-/// Python by the tests of the package.
+/// What the page has is run: programs in Rust by the tests of the documentation, those in C and Python by the
+/// tests of these interfaces, scenes by those of the command.
 #[test]
 fn the_page_has_the_programs_of_all_laws() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/fit/usage/programs.md");
