@@ -1,6 +1,7 @@
 //! A fitted law as a program in C: with the library where it has the law, else complete in itself.
 
-use super::shape::{Shape, dahl, joint_fields, rock_fields};
+use super::shape::Shape;
+use super::spec::{dahl, joint_fields, rock_fields};
 use super::{FittedLaw, SHOWN_SPEEDS, SHOWN_STEP, SHOWN_VELOCITIES, number};
 use tribos_core::law::LuGreParameters;
 
