@@ -219,14 +219,14 @@ fn elasto_plastic(joint: &LuGreParameters<f64>, zba: f64) -> String {
          /// The fitted law, in N, m and s: bristles that do not creep while they are bent little.\n\
          #[derive(Default)]\nstruct ElastoPlastic {{\n    deflection: f64, // of the bristles; the state\n}}\n\n\
          impl ElastoPlastic {{\n{constants}    \
-         /// Deflection up to which nothing slips, over that of the Coulomb force.\n    \
+         /// Deflection up to which nothing slips, over that of steady sliding.\n    \
          const ELASTIC_SHARE: f64 = {zba:?};\n\n    \
          /// Friction after a time at a velocity; |velocity| dt has to be well below COULOMB_FORCE/STIFFNESS.\n    \
          fn step(&mut self, velocity: f64, dt: f64) -> f64 {{\n        \
          let (z, x) = (self.deflection.abs(), velocity / Self::STRIBECK_SPEED);\n        \
          let steady = Self::COULOMB_FORCE + (Self::STATIC_FORCE - Self::COULOMB_FORCE) * (-x * x).exp();\n        \
-         let elastic = Self::ELASTIC_SHARE * Self::COULOMB_FORCE / Self::STIFFNESS;\n        \
          let most = steady / Self::STIFFNESS;\n        \
+         let elastic = Self::ELASTIC_SHARE * most;\n        \
          // Share of the motion that slips.\n        \
          let slipping = if self.deflection * velocity <= 0.0 || z <= elastic {{\n            0.0\n        \
          }} else if z >= most {{\n            1.0\n        }} else {{\n            \

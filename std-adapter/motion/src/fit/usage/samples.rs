@@ -80,7 +80,7 @@ pub(super) const SAMPLES: [Sample; 17] = [
             ("s2", 0.4),
             ("s0", 1e5),
             ("s1", 31.0),
-            ("zba", 0.7),
+            ("zba", 0.3),
         ],
         false,
         elasto_plastic,
@@ -161,7 +161,7 @@ fn elasto_plastic() -> Vec<[f64; 2]> {
     let mut z = 0.0_f64;
     along(|v| {
         let most = (1.0 + 0.5 * (-(v / 0.02).powi(2)).exp()) / 1e5;
-        let share = ((z.abs() - 0.7e-5) / (most - 0.7e-5)).clamp(0.0, 1.0);
+        let share = ((z.abs() / most - 0.3) / 0.7).clamp(0.0, 1.0);
         let slips = if z * v > 0.0 {
             0.5 * (1.0 - (PI * share).cos())
         } else {

@@ -55,7 +55,7 @@ pub(super) enum Shape {
     Sliders(Vec<[f64; 2]>),
     /// dF/dt = s0 v (1 − F sgn v/fc)
     Dahl { fc: f64, s0: f64 },
-    /// LuGre whose bristles do not creep below the share `zba` of fc/s0.
+    /// LuGre whose bristles do not creep below the share `zba` of their deflection in steady sliding.
     ElastoPlastic {
         joint: LuGreParameters<f64>,
         zba: f64,
