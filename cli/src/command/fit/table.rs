@@ -35,7 +35,7 @@ impl Table {
             Some(times) => Measurements::series(times, velocities, friction, sigma),
             None => Measurements::steady(velocities, friction, sigma),
         };
-        let data = data.map_err(|error| refusal(path, &log.lines, error))?;
+        let data = data.map_err(|error| refusal(path, &log.lines, &log.brief, error))?;
         Ok(Self {
             data,
             told: log.brief,
@@ -46,7 +46,7 @@ impl Table {
 
     /// A refusal with file and line, where it is about a line.
     pub fn refusal(&self, error: FitError) -> Failure {
-        refusal(&self.name, &self.lines, error)
+        refusal(&self.name, &self.lines, &self.told, error)
     }
 
     /// Names and columns of the measurements: time if there is one, velocity, friction.
@@ -65,7 +65,8 @@ impl Table {
     }
 }
 
-fn refusal(path: &Path, lines: &[u64], error: FitError) -> Failure {
+/// A refusal with file and line, and with what was understood of the file where it is about all of it.
+fn refusal(path: &Path, lines: &[u64], told: &[String], error: FitError) -> Failure {
     let name = path.display();
     match error {
         FitError::Point { point, message } => {
@@ -75,6 +76,9 @@ fn refusal(path: &Path, lines: &[u64], error: FitError) -> Failure {
         FitError::NoParameter { .. } | FitError::Range { .. } | FitError::NothingFree => {
             Failure::input(format!("--fix: {error}"))
         }
-        error => Failure::input(format!("{name}: {error}")),
+        error => {
+            let told: String = told.iter().map(|line| format!("; {line}")).collect();
+            Failure::input(format!("{name}: {error}{told}"))
+        }
     }
 }
