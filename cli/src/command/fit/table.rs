@@ -77,7 +77,7 @@ impl Table {
             load: given.or(column),
         };
         let found = columns.prepared(law);
-        let found = found.map_err(|error| refusal(path, &log.lines, error))?;
+        let found = found.map_err(|error| refusal(path, &log.lines, &log.brief, error))?;
         let dropped = log
             .dropped
             .iter()
@@ -101,7 +101,7 @@ impl Table {
 
     /// A refusal with file and line, where it is about a line.
     pub fn refusal(&self, error: FitError) -> Failure {
-        refusal(&self.name, &self.lines, error)
+        refusal(&self.name, &self.lines, &self.told, error)
     }
 
     /// Names and columns of the measurements: time if there is one, velocity, friction.
@@ -129,8 +129,8 @@ fn told(mut brief: Vec<String>, found: &Prepared) -> Vec<String> {
     brief
 }
 
-/// A refusal with file and line, where it is about a line.
-pub fn refusal(path: &Path, lines: &[u64], error: FitError) -> Failure {
+/// A refusal with file and line, and with what was understood of the file where it is about all of it.
+pub fn refusal(path: &Path, lines: &[u64], told: &[String], error: FitError) -> Failure {
     let name = path.display();
     match error {
         FitError::Point { point, message } => {
@@ -140,6 +140,9 @@ pub fn refusal(path: &Path, lines: &[u64], error: FitError) -> Failure {
         FitError::NoParameter { .. } | FitError::Range { .. } | FitError::NothingFree => {
             Failure::input(format!("--fix: {error}"))
         }
-        error => Failure::input(format!("{name}: {error}")),
+        error => {
+            let told: String = told.iter().map(|line| format!("; {line}")).collect();
+            Failure::input(format!("{name}: {error}{told}"))
+        }
     }
 }
