@@ -47,8 +47,8 @@ impl FilmArguments {
         let times = scaled("t", self.frame_rate.map(|rate| 1.0 / rate)).unwrap_or_default();
         let [x, y] = ["x", "y"].map(|name| scaled(name, self.scale).unwrap_or_default());
         let angle = scaled("angle", None);
-        let track =
-            Track::new(times, x, y, angle).map_err(|error| refusal(path, &log.lines, &log.brief, error))?;
+        let track = Track::new(times, x, y, angle)
+            .map_err(|error| refusal(path, &log.lines, &log.brief, error))?;
         Ok(Film {
             track,
             told: log.brief,
