@@ -346,7 +346,7 @@ fn what_cannot_be_fitted_is_refused_with_its_cure() {
         FitError::NothingFree
     ));
 
-    let (v, f) = two();
+    let (_, f) = two();
     for law in [FitLaw::Dahl, FitLaw::ElasticPlastic, FitLaw::Amontons] {
         assert!(matches!(law.model(&data), Err(FitError::Form(_))));
     }
