@@ -58,6 +58,7 @@ impl Memory for LuGre<f64> {
         start: |guess, unit| joint(guess, unit).to_vec(),
     };
     const FORGETS: bool = true;
+    const IS_LINEAR: bool = true;
     type State = Bristle<f64>;
 
     fn new(values: &[f64]) -> Option<Self> {
@@ -92,6 +93,12 @@ impl Memory for LuGre<f64> {
         }
     }
 
+    fn shifted(&self, state: Bristle<f64>, _: usize, share: f64, _: f64) -> Bristle<f64> {
+        let most = self.largest_deflection();
+        let deflection = (state.deflection + share * most).max(-most).min(most);
+        Bristle { deflection }
+    }
+
     fn advance(&self, state: Bristle<f64>, velocity: f64, dt: f64) -> Bristle<f64> {
         self.step(state, velocity, dt).0
     }
@@ -120,6 +127,7 @@ impl Memory for Dahl {
         },
     };
     const FORGETS: bool = true;
+    const IS_LINEAR: bool = true;
     type State = Bristle<f64>;
 
     // LuGre without damping and without a Stribeck curve.
@@ -141,6 +149,10 @@ impl Memory for Dahl {
 
     fn first(&self, velocity: f64, friction: f64) -> Bristle<f64> {
         Memory::first(&self.0, velocity, friction)
+    }
+
+    fn shifted(&self, state: Bristle<f64>, part: usize, share: f64, v: f64) -> Bristle<f64> {
+        self.0.shifted(state, part, share, v)
     }
 
     fn advance(&self, state: Bristle<f64>, velocity: f64, dt: f64) -> Bristle<f64> {
@@ -237,6 +249,11 @@ impl Memory for ElastoPlastic {
 
     fn first(&self, velocity: f64, friction: f64) -> f64 {
         Memory::first(&self.law, velocity, friction).deflection
+    }
+
+    fn shifted(&self, deflection: f64, part: usize, share: f64, velocity: f64) -> f64 {
+        let state = Bristle { deflection };
+        self.law.shifted(state, part, share, velocity).deflection
     }
 
     fn advance(&self, deflection: f64, velocity: f64, dt: f64) -> f64 {

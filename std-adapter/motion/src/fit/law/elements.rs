@@ -39,6 +39,12 @@ impl Memory for ElasticPlastic {
         friction.max(-self.limit).min(self.limit)
     }
 
+    fn shifted(&self, force: f64, _: usize, share: f64, _: f64) -> f64 {
+        (force + share * self.limit)
+            .max(-self.limit)
+            .min(self.limit)
+    }
+
     fn advance(&self, force: f64, velocity: f64, dt: f64) -> f64 {
         let moved = force + self.stiffness * velocity * dt;
         moved.max(-self.limit).min(self.limit)
@@ -101,6 +107,7 @@ impl Memory for Maxwell {
         },
     };
     const FORGETS: bool = true;
+    const PARTS: usize = SPRINGS;
     type State = [f64; SPRINGS];
 
     fn new(values: &[f64]) -> Option<Self> {
@@ -117,6 +124,13 @@ impl Memory for Maxwell {
     fn first(&self, velocity: f64, friction: f64) -> Self::State {
         let whole: f64 = self.0.iter().map(|spring| spring.limit).sum();
         std::array::from_fn(|k| self.0[k].first(velocity, friction * self.0[k].limit / whole))
+    }
+
+    fn shifted(&self, mut forces: Self::State, part: usize, share: f64, v: f64) -> Self::State {
+        if let (Some(force), Some(spring)) = (forces.get_mut(part), self.0.get(part)) {
+            *force = spring.shifted(*force, part, share, v);
+        }
+        forces
     }
 
     fn advance(&self, forces: Self::State, velocity: f64, dt: f64) -> Self::State {
