@@ -186,6 +186,12 @@ impl Model for Mounted<'_> {
         parameter >= self.own() || self.law.is_linear(parameter)
     }
 
+    fn put_in_order(&self, values: &mut [f64]) {
+        if let Some(own) = values.get_mut(..self.own()) {
+            self.law.put_in_order(own);
+        }
+    }
+
     fn above(&self, parameter: usize) -> Option<usize> {
         let is_own = parameter < self.own();
         is_own.then(|| self.law.above(parameter)).flatten()

@@ -90,6 +90,9 @@ pub trait Model: Send + Sync {
         false
     }
 
+    /// Puts the values of parts that are alike, and may change places, in their order.
+    fn put_in_order(&self, _values: &mut [f64]) {}
+
     /// The parameter that this one must not be below.
     fn above(&self, _parameter: usize) -> Option<usize> {
         None

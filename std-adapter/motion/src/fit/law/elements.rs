@@ -121,6 +121,15 @@ impl Memory for Maxwell {
         Some(Self([spring()?, spring()?, spring()?]))
     }
 
+    /// Springs by the deflection at which they yield.
+    fn put_in_order(values: &mut [f64]) {
+        let mut springs: Vec<[f64; 2]> = values.as_chunks().0.to_vec();
+        springs.sort_by(|[k, f], [l, g]| (f / k).total_cmp(&(g / l)));
+        for (value, sorted) in values.iter_mut().zip(springs.as_flattened()) {
+            *value = *sorted;
+        }
+    }
+
     fn first(&self, velocity: f64, friction: f64) -> Self::State {
         let whole: f64 = self.0.iter().map(|spring| spring.limit).sum();
         std::array::from_fn(|k| self.0[k].first(velocity, friction * self.0[k].limit / whole))

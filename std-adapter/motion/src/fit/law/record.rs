@@ -27,6 +27,9 @@ pub(super) trait Memory: Sized + Send + Sync + 'static {
     /// The law with these values; `None` where it refuses them.
     fn new(values: &[f64]) -> Option<Self>;
 
+    /// Puts the values of parts that are alike in their order.
+    fn put_in_order(_values: &mut [f64]) {}
+
     /// The state at a point with this velocity and measured friction, roughly.
     fn first(&self, velocity: f64, friction: f64) -> Self::State;
 
@@ -139,6 +142,10 @@ impl<M: Memory> Model for Record<'_, M> {
 
     fn is_linear(&self, parameter: usize) -> bool {
         M::FORM.is_linear(parameter)
+    }
+
+    fn put_in_order(&self, values: &mut [f64]) {
+        M::put_in_order(values);
     }
 
     fn above(&self, parameter: usize) -> Option<usize> {
