@@ -21,8 +21,8 @@ const MOST: usize = 8;
 const GROWTH: f64 = 4.0;
 /// Relative offset at which a minimisation on the profile ends.
 const OFFSET: f64 = 1e-4;
-/// Decrease of the sum of squares that is another minimum, relative to it.
-const LOWER: f64 = 1e-6;
+/// Decrease of the sum of squares that is another minimum, in variances.
+const LOWER: f64 = 0.02;
 /// Most steps with the slopes at the minimum, before slopes are taken anew.
 const MOST_STEPS: usize = 8;
 /// Decrease of the sum of squares that a step may still promise, in variances.
@@ -162,7 +162,8 @@ impl Profile<'_> {
                 reach *= 0.5;
                 continue;
             };
-            if cost < self.cost * (1.0 - LOWER) - self.target.floor() {
+            let lower = LOWER * self.deviation * self.deviation;
+            if cost < self.cost - lower - self.target.floor() {
                 return Err(found);
             }
             let rise = (cost - self.cost).max(0.0).sqrt() / self.deviation;
@@ -285,7 +286,7 @@ impl Profile<'_> {
             let system = reduced(&slopes.jacobian, &slopes.free, &residuals);
             let promised = system.turned.norm_squared();
             if promised <= PROMISED * self.deviation * self.deviation {
-                return Some((cost - promised, q));
+                return Some((cost, q));
             }
             let svd = system.triangle.svd(true, true);
             let most = svd.singular_values.iter().copied().fold(0.0, f64::max);

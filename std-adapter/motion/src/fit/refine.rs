@@ -15,6 +15,8 @@ const AGREE: f64 = 0.1;
 const TOLD: f64 = 0.5;
 /// Difference of the sums of squares, in variances, beyond which the data refute the worse course.
 const REFUTED: f64 = 10.0;
+/// Share of the change by a refuted course that the better one may still miss.
+const MISSED: f64 = 0.1;
 /// Share of a jump's displacement that a ramp between two points may hide.
 const HIDDEN: f64 = 0.5;
 /// Change of the velocity between two points that is abrupt: over the largest velocity, and that of a neighbour
@@ -42,6 +44,17 @@ pub(super) struct Shift {
     pub change: f64,
     /// The same over the standard error.
     pub errors: f64,
+}
+
+impl Shift {
+    /// A share of it.
+    fn part(self, share: f64) -> Self {
+        Self {
+            change: share * self.change,
+            errors: share * self.errors,
+            ..self
+        }
+    }
 }
 
 /// The minima on the chosen path.
@@ -115,18 +128,14 @@ impl<'a> Paths<'a, '_> {
             let freedoms = self.data.friction().len() - self.unknowns.sought.len();
             let variance = cost(&found.minima) / freedoms as f64;
             if cost(&other.minima) - cost(&found.minima) > REFUTED * variance {
-                told = None;
+                told = told.map(|shift| shift.part(MISSED));
             }
         }
         let mut counts: Vec<Shift> = told.into_iter().collect();
         if has_abrupt(self.data.velocities()) {
             for course in [Course::JumpsAtOnce, Course::JumpsLate] {
                 let jumps = self.shift(found, Between { steps: 1, course });
-                counts.extend(jumps.map(|shift| Shift {
-                    change: HIDDEN * shift.change,
-                    errors: HIDDEN * shift.errors,
-                    ..shift
-                }));
+                counts.extend(jumps.map(|shift| shift.part(HIDDEN)));
             }
         }
         let counts = counts.into_iter().filter(|shift| shift.errors > TOLD);

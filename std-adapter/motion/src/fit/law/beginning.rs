@@ -13,13 +13,11 @@ const CHANGE: f64 = 1e-4;
 /// Share of the effect from which on the state counts as forgotten.
 const FORGOTTEN: f64 = 1e-6;
 /// Most points that tell a state.
-const MOST_POINTS: usize = 2000;
+const MOST_POINTS: usize = 400;
 /// Most steps of the search for a state.
-const MOST_STEPS: usize = 6;
+const MOST_STEPS: usize = 3;
 /// Step that ends the search, over the largest state.
-const CLOSE: f64 = 1e-11;
-/// Effects of two parts of a state that are told apart: squared effect left over the whole.
-const APART: f64 = 1e-10;
+const CLOSE: f64 = 1e-9;
 
 /// Points where a state begins: the first, and those after gaps.
 pub(super) fn beginnings(times: &[f64]) -> Vec<usize> {
@@ -62,16 +60,16 @@ impl<M: Memory> Stretch<'_, M> {
         let velocity = self.velocities[begin];
         let mut state = self.law.first(velocity, self.measured(begin));
         for _ in 0..if M::IS_LINEAR { 1 } else { MOST_STEPS } {
-            let (next, largest) = self.step(state, advance);
+            let (next, size) = self.step(state, advance);
             state = next;
-            if largest < CLOSE {
+            if size < CLOSE {
                 break;
             }
         }
         state
     }
 
-    /// One step, and its largest part.
+    /// One step, and its size.
     fn step(
         &self,
         state: M::State,
@@ -80,77 +78,34 @@ impl<M: Memory> Stretch<'_, M> {
         let [begin, end] = self.points;
         let velocity = self.velocities[begin];
         // A state at its limit is moved inwards.
-        let changed = |part: usize| {
-            let moved = |change: f64| self.law.shifted(state, part, change, velocity);
-            let there = moved(CHANGE);
-            if there == state {
-                (moved(-CHANGE), -CHANGE)
-            } else {
-                (there, CHANGE)
-            }
-        };
-        let changed: Vec<(M::State, f64)> = (0..M::PARTS).map(changed).collect();
-        let (mut here, mut there) = (state, changed.clone());
-        let (mut products, mut along) = ([[0.0; 3]; 3], [0.0; 3]);
-        let mut strongest = 0.0_f64;
+        let mut change = CHANGE;
+        let mut there = self.law.shifted(state, change, velocity);
+        if there == state {
+            change = -CHANGE;
+            there = self.law.shifted(state, change, velocity);
+        }
+        let mut here = state;
+        let (mut square, mut along, mut strongest) = (0.0, 0.0, 0.0_f64);
         for point in begin..end.min(begin + MOST_POINTS) {
             if point > begin {
                 here = advance(here, point);
-                for (state, _) in &mut there {
-                    *state = advance(*state, point);
-                }
+                there = advance(there, point);
             }
-            let friction = self.law.friction(here, self.velocities[point]);
-            let mut effect = [0.0; 3];
-            for (effect, (state, change)) in effect.iter_mut().zip(&there) {
-                *effect = (self.law.friction(*state, self.velocities[point]) - friction) / change;
-            }
-            let most = effect.iter().fold(0.0_f64, |most, e| e.abs().max(most));
-            strongest = strongest.max(most);
-            if most <= FORGOTTEN * strongest {
+            let velocity = self.velocities[point];
+            let friction = self.law.friction(here, velocity);
+            let effect = (self.law.friction(there, velocity) - friction) / change;
+            strongest = strongest.max(effect.abs());
+            if effect.abs() <= FORGOTTEN * strongest {
                 break;
             }
-            let left = friction - self.measured(point);
-            for a in 0..M::PARTS {
-                along[a] += effect[a] * left;
-                for b in 0..M::PARTS {
-                    products[a][b] += effect[a] * effect[b];
-                }
-            }
+            square += effect * effect;
+            along += effect * (friction - self.measured(point));
         }
-        let steps = solved(products, along, M::PARTS);
-        let (mut next, mut largest) = (state, 0.0_f64);
-        for (part, step) in steps.iter().enumerate().take(M::PARTS) {
-            if step.is_finite() {
-                next = self.law.shifted(next, part, -step, velocity);
-                largest = largest.max(step.abs());
-            }
-        }
-        (next, largest)
-    }
-}
-
-/// The solution of normal equations by elimination; parts that the points do not tell stay.
-fn solved(mut a: [[f64; 3]; 3], mut b: [f64; 3], parts: usize) -> [f64; 3] {
-    let whole: [f64; 3] = std::array::from_fn(|k| a[k][k]);
-    let mut told = [false; 3];
-    for k in 0..parts {
-        told[k] = a[k][k] > APART * whole[k] && a[k][k] > 0.0;
-        if !told[k] {
-            continue;
-        }
-        for i in k + 1..parts {
-            let factor = a[i][k] / a[k][k];
-            for j in k..parts {
-                a[i][j] -= factor * a[k][j];
-            }
-            b[i] -= factor * b[k];
+        let step = -along / square;
+        if step.is_finite() {
+            (self.law.shifted(state, step, velocity), step.abs())
+        } else {
+            (state, 0.0)
         }
     }
-    let mut x = [0.0; 3];
-    for k in (0..parts).rev().filter(|&k| told[k]) {
-        let known: f64 = (k + 1..parts).map(|j| a[k][j] * x[j]).sum();
-        x[k] = (b[k] - known) / a[k][k];
-    }
-    x
 }

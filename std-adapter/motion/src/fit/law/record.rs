@@ -15,8 +15,6 @@ pub(super) trait Memory: Sized + Send + Sync + 'static {
     const FORM: Form;
     /// Whether the state is soon forgotten: then pieces of a record serve as a sample of it.
     const FORGETS: bool;
-    /// Number of the parts of a state that are sought where a record begins anew, at most three.
-    const PARTS: usize = 1;
     /// Whether friction is linear in its first state.
     const IS_LINEAR: bool = false;
     /// Whether a record begins in the state of [`Memory::first`], rather than in one that is sought.
@@ -33,8 +31,8 @@ pub(super) trait Memory: Sized + Send + Sync + 'static {
     /// The state at a point with this velocity and measured friction, roughly.
     fn first(&self, velocity: f64, friction: f64) -> Self::State;
 
-    /// The state with one part changed by a share of its largest value, as far as the law admits.
-    fn shifted(&self, state: Self::State, part: usize, share: f64, velocity: f64) -> Self::State;
+    /// The state changed by a share of its largest value, as far as the law admits.
+    fn shifted(&self, state: Self::State, share: f64, velocity: f64) -> Self::State;
 
     /// The state after the time `dt` at a constant velocity.
     fn advance(&self, state: Self::State, velocity: f64, dt: f64) -> Self::State;
