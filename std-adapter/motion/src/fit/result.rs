@@ -28,11 +28,12 @@ pub(super) enum Certified {
 }
 
 impl Certified {
-    /// The best of the refined minima with its certainty.
+    /// The best of the refined minima with its certainty; the last one is not searched on.
     pub fn of(
         paths: &Paths<'_, '_>,
         search: &Search,
         refined: Refined<'_>,
+        is_last: bool,
     ) -> Result<Self, FitError> {
         let model = refined.model.as_deref().unwrap_or(paths.model);
         let unknowns = paths.unknowns.with(model);
@@ -69,6 +70,7 @@ impl Certified {
         } else {
             match profile.intervals(&certain.known) {
                 Profiled::Intervals(intervals) => intervals,
+                Profiled::Lower(_) if is_last => profile.linear(&certain.known),
                 Profiled::Lower(lower) => {
                     return Ok(Self::Lower(Minimum {
                         q: unknowns.coordinates(&lower),
