@@ -65,7 +65,7 @@ impl Report<'_> {
 
     /// Whether parameters are per load, as coefficients are: friction was a force at known loads.
     pub fn is_per_load(&self) -> bool {
-        self.table.data.load().is_some() || self.law.is_of_coefficient()
+        self.law.is_per_load(&self.table.data, self.fit)
     }
 
     /// The unit of a parameter, per load if friction is one; what the machine adds stays a force.
