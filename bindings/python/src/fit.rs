@@ -112,11 +112,10 @@ pub fn fit_all_laws<'py>(
         let prepared = FitColumns::from(columns).prepared(None)?;
         let (data, options) = (&prepared.data, FitOptions { fixed, starts });
         let found = compare(data, apparatus(machine), &options, &mut |_, _| ());
-        Ok((
-            found,
-            [prepared.resting, prepared.lifted],
-            data.load().is_some(),
-        ))
+        let per_load = found.0.iter();
+        let per_load = per_load.map(|one| one.law.is_per_load(data, &one.fit));
+        let per_load: Vec<bool> = per_load.collect();
+        Ok((found, [prepared.resting, prepared.lifted], per_load))
     })?;
     let ((all, refusals), left_out, per_load) = found.map_err(told)?;
     let all = all.iter().zip(per_load).map(|(one, is_per_load)| {
