@@ -341,7 +341,11 @@ def test_logs_are_read_as_they_are(tmp_path: Path) -> None:
 
 def test_tables_with_other_names_and_units_are_the_same_tables() -> None:
     wanted = fit_power()
-    table = {"Speed [mm/s]": [1e3, 2e3, np.nan, 3e3], "COF": [0.3, 0.2, 9.0, 0.1], "note": list("abcd")}
+    table = {
+        "Speed [mm/s]": [1e3, 2e3, np.nan, 3e3],
+        "COF": [0.3, 0.2, 9.0, 0.1],
+        "note": list("abcd"),
+    }
     found = tribos.fit("power", table)
     assert found.parameters == pytest.approx(wanted.parameters) and found.dropped == {"with NaN": 1}
     table = {"a": [1e3, 2e3, 3e3], "b": [-0.3, -0.2, -0.1]}

@@ -11,7 +11,12 @@ fn film() -> String {
         let late = t.min(speed / (mu * gravity));
         let way = 1e3 * (speed * late - 0.5 * mu * gravity * late * late);
         let error = |phase: f64| 0.4 * (phase + 2.4 * f64::from(k * k)).sin();
-        format!("{t},{},{},{}\n", way + error(0.0), 40.0 + error(1.0), 30.0 + error(2.0))
+        format!(
+            "{t},{},{},{}\n",
+            way + error(0.0),
+            40.0 + error(1.0),
+            30.0 + error(2.0)
+        )
     });
     format!("t,x,y,angle\n{}", rows.collect::<String>())
 }
@@ -22,9 +27,22 @@ fn a_film_gives_coefficient_and_launch_with_errors_and_files() -> Outcome {
     std::fs::write(folder.path().join("puck.csv"), film())?;
     let line = "fit --track puck.csv --units x=mm,y=mm,angle=deg --fix R=0.03 --out out";
     let [told, _] = succeed(folder.path(), line)?;
-    assert_has(&told, &["coulomb on a disk", "mu ", "95 %", "starts", "rest          at t = 0.4", "as a law      coulomb:mu=0.2"]);
+    assert_has(
+        &told,
+        &[
+            "coulomb on a disk",
+            "mu ",
+            "95 %",
+            "starts",
+            "rest          at t = 0.4",
+            "as a law      coulomb:mu=0.2",
+        ],
+    );
     let toml = std::fs::read_to_string(folder.path().join("out/fit.toml"))?;
-    assert_has(&toml, &["[parameters.mu]", "interval = [", "standard_error = "]);
+    assert_has(
+        &toml,
+        &["[parameters.mu]", "interval = [", "standard_error = "],
+    );
     let residuals = std::fs::read_to_string(folder.path().join("out/residuals.csv"))?;
     assert!(residuals.starts_with("t,x,y,angle,residual_x,residual_y,residual_angle,speed,used\n"));
     assert_eq!(residuals.lines().count(), 51);
@@ -36,7 +54,9 @@ fn a_film_gives_coefficient_and_launch_with_errors_and_files() -> Outcome {
     let parameters = found["parameters"].as_array().ok_or("no parameters")?;
     let of = |name: &str, key: &str| -> Result<f64, Error> {
         let entry = parameters.iter().find(|entry| entry["name"] == name);
-        Ok(entry.and_then(|entry| entry[key].as_f64()).ok_or("no such number")?)
+        Ok(entry
+            .and_then(|entry| entry[key].as_f64())
+            .ok_or("no such number")?)
     };
     assert!((of("mu", "value")? - 0.25).abs() < 0.005 && of("mu", "error")? < 0.003);
     assert!((of("angle0", "value")? - 30.0 * PI / 180.0).abs() < 0.01);
@@ -62,7 +82,10 @@ fn pixels_and_frames_need_their_scale() -> Outcome {
         assert_eq!(code, Some(2), "{options}: {told}");
         assert!(told.contains(cure), "{options}: {told}");
     }
-    let [told, _] = succeed(folder.path(), "fit --track puck.csv --scale 0.001 --units angle=deg --fix R=0.03")?;
+    let [told, _] = succeed(
+        folder.path(),
+        "fit --track puck.csv --scale 0.001 --units angle=deg --fix R=0.03",
+    )?;
     assert!(told.contains("coulomb:mu=0.2"), "{told}");
     Ok(())
 }

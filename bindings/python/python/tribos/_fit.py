@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from tribos import _native
 from tribos._checks import number, positive
 from tribos._laws import Law
-from tribos._log import Log, column, names_of, read, read_pushes
+from tribos._log import Log, column, names_of, read, read_pushes, roles
 from tribos._patches import Patch, outline, points
 from tribos._surface import LimitSurface
 
@@ -141,9 +141,7 @@ class LawFit:
 
     def usage(self, target: str) -> str:
         """The fitted law as text: ``"rust"``, ``"c"``, ``"python"``, ``"scene"``, ``"mujoco"``, ``"newton"``, ``"gazebo"``."""
-        return _native.fit_usage(
-            self.name, list(self.parameters.items()), self.is_per_load, target
-        )
+        return _native.fit_usage(self.name, list(self.parameters.items()), self.is_per_load, target)
 
     def predict(self, speeds: ArrayLike, times: ArrayLike | None = None) -> Any:
         """Friction of the fitted law alone, per load if loads were known, without inertia and offset.
@@ -318,7 +316,7 @@ def fit(
     {'gamma': 0.008, 'alpha': -0.499}
     """
     usual = (("a",) if inertia else ()) + (("load",) if law == "amontons" else ())
-    log = read(data, columns, units, skip, usual)
+    log = read(data, roles(usual), columns, units, skip)
     machine, keep = _machine(inertia, offset, spring, fixed)
     made = _native.fit_law(law, _columns(log, load), machine, keep, _count(starts))
     return _law_fit(made, log, machine)
@@ -351,7 +349,7 @@ def compare(
     >>> tribos.compare({"v": v, "f": f})[0].fit.name
     'viscous'
     """
-    log = read(data, columns, units, skip, ("a",) if inertia else ())
+    log = read(data, roles(("a",) if inertia else ()), columns, units, skip)
     machine, keep = _machine(inertia, offset, None, fixed)
     found, _ = _native.fit_all_laws(_columns(log, load), machine, keep, _count(starts))
     return [

@@ -14,7 +14,9 @@ from numpy.typing import NDArray
 from tribos import _native
 
 Array = NDArray[np.float64]
-# Roles of a fit: whether a log without them is refused, and whether only their own names count.
+# A role, whether a log without it is refused, and whether only its own name counts.
+_Role = tuple[str, bool, bool]
+# Roles of a fit.
 _FIT = (
     ("t", False, False),
     ("v", True, False),
@@ -96,20 +98,24 @@ def look(
     return Look(**json.loads(found), text=text)
 
 
+def roles(usual: tuple[str, ...] = ()) -> list[_Role]:
+    """Velocity, friction and what else a fit reads; roles whose usual names count as well."""
+    return [(name, needed, own and name not in usual) for name, needed, own in _FIT]
+
+
 def read(
     data: Any,
+    wanted: list[_Role],
     columns: Mapping[str, str | int] | None,
     units: Mapping[str, str] | None,
     skip: int,
-    usual: tuple[str, ...] = (),
 ) -> Log:
-    """Velocity, friction and what else a fit reads, of a file or a table; roles whose usual names count as well."""
+    """Columns of these roles of a file or a table."""
     given = _given(columns, units, skip)
-    wanted = [(name, needed, own and name not in usual) for name, needed, own in _FIT]
     if isinstance(data, (str, os.PathLike)):
         made = _native.read_file(_existing(data), wanted, given)
     else:
-        names = names_of(data, ("v", "f"))
+        names = names_of(data, tuple(name for name, needed, _ in wanted if needed))
         places = set(_native.log_places(names, wanted, given))
         rows = [
             (name, column(name, data[name]).tolist() if at in places else [])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -9,7 +10,7 @@ import numpy as np
 
 from tribos import _native
 from tribos._checks import number, positive
-from tribos._fit import _table
+from tribos._log import read
 
 _SHOWN = 6
 
@@ -118,6 +119,9 @@ class Strokes:
 def strokes(
     data: Any,
     *,
+    columns: Mapping[str, str | int] | None = None,
+    units: Mapping[str, str] | None = None,
+    skip: int = 0,
     load: float | None = None,
     middle: float = 0.5,
     shortest_rest: float = 0.0,
@@ -131,6 +135,8 @@ def strokes(
         a magnitude; with ``v`` in m/s or ``x`` in m or both, and perhaps ``load`` in N, by which f is
         divided. A mapping of columns, a structured array, a data frame, or the path of a CSV file as in `fit`.
         Without v and x strokes are divided by the sign of f.
+    columns, units, skip
+        As in `fit`.
     load
         Load in N at which f was measured as a force, where it has no column.
     middle
@@ -155,23 +161,20 @@ def strokes(
     >>> len(found), round(found.summary["mean"], 3), round(found.summary["offset"], 3)
     (20, 0.3, 0.01)
     """
-    table = _table(data, ("t", "f"), ("v", "x", "load"))
+    wanted = [(name, name in "tf", False) for name in ("t", "f", "v", "x")]
+    table = read(data, [*wanted, ("load", False, True)], columns, units, skip).columns
     loads = table.get("load")
     if load is not None:
         if loads is not None:
             raise ValueError("the column load and the argument load are both given; leave one out")
         loads = np.full(table["t"].shape, positive("load", load))
-    columns = (
-        table["t"].tolist(),
-        table["f"].tolist(),
-        *(
-            None if column is None else column.tolist()
-            for column in (table.get("v"), table.get("x"))
-        ),
-        None if loads is None else loads.tolist(),
+    more = (
+        None if values is None else values.tolist()
+        for values in (table.get("v"), table.get("x"), loads)
     )
+    measured = (table["t"].tolist(), table["f"].tolist(), *more)
     made = _native.strokes_of(
-        columns, positive("middle", middle), number("shortest_rest", shortest_rest)
+        measured, positive("middle", middle), number("shortest_rest", shortest_rest)
     )
     lists = {name: np.array(values) for name, values in made["lists"].items() if name != "number"}
     lists["cut_off"] = lists["cut_off"] > 0.0

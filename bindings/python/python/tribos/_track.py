@@ -11,14 +11,11 @@ import numpy as np
 
 from tribos import _native, _patches
 from tribos._checks import number, positive
-from tribos._fit import Array, Estimate, _table, _told
+from tribos._fit import Array, Estimate, _told
 from tribos._friction import Friction
 from tribos._laws import Law
+from tribos._log import read
 
-_TIMES = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
-_LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254}
-_ANGLES = {"rad": 1.0, "deg": math.pi / 180.0, "turn": math.tau}
-_UNITS = {"t": _TIMES, "x": _LENGTHS, "y": _LENGTHS, "angle": _ANGLES}
 _MOST_STARTS = 10_000
 
 
@@ -95,7 +92,9 @@ class TrackFit:
         """The radius of a round patch, in m: fitted, or fixed. ValueError where there is none."""
         found = self.parameters.get("R", self._radius)
         if found is None:
-            raise ValueError("without a column angle the film tells no radius; give fixed={'R': metres}")
+            raise ValueError(
+                "without a column angle the film tells no radius; give fixed={'R': metres}"
+            )
         return found
 
     @property
@@ -104,10 +103,12 @@ class TrackFit:
         name, _, rest = self.patch.partition(":")
         if name == "annulus":
             radius = self.radius
-            return Friction(_patches.annulus(float(rest) * radius, radius), self.law)
+            return Friction(_patches.annulus(float(rest) * radius, radius), law=self.law)
         if rest or name not in ("disk", "ring", "hertz", "punch", "paraboloid"):
-            raise ValueError(f"a friction is made for disk, ring, annulus, hertz, punch and paraboloid, not {self.patch}")
-        return Friction(getattr(_patches, name)(self.radius), self.law)
+            raise ValueError(
+                f"a friction is made for disk, ring, annulus, hertz, punch and paraboloid, not {self.patch}"
+            )
+        return Friction(getattr(_patches, name)(self.radius), law=self.law)
 
     @property
     def launch(self) -> dict[str, float]:
@@ -143,10 +144,11 @@ def fit_track(
     fixed: Mapping[str, float] | None = None,
     gravity: float = 9.81,
     inertia_ratio: float = 0.5,
+    columns: Mapping[str, str | int] | None = None,
     units: Mapping[str, str] | None = None,
+    skip: int = 0,
     frame_rate: float | None = None,
     scale: float | None = None,
-    skip: int = 0,
     start: float | None = None,
     stop: float | None = None,
     noise_position: float | None = None,
@@ -168,12 +170,12 @@ def fit_track(
         Parameters that keep these values, such as ``{"R": 0.03}``.
     gravity, inertia_ratio
         In m/s²; ``I/(m R**2)`` of a round body.
-    units
-        Units of columns: ``{"x": "mm", "y": "mm", "angle": "deg"}``.
+    columns, units, skip
+        As in `fit`: ``units={"x": "mm", "y": "mm", "angle": "deg"}``.
     frame_rate, scale
         Frames per second where t is a number of a frame; metres per pixel where x and y are pixels.
-    skip, start, stop
-        Frames at the beginning that are left out, and the first and last time that are used, in s.
+    start, stop
+        The first and last time that are used, in s.
     noise_position, noise_angle
         Standard deviations of a coordinate in m and of the angle in rad; None to take them from the residuals.
     starts
@@ -199,18 +201,17 @@ def fit_track(
     >>> bool(np.abs(again.distance - path.distance).max() < 1e-5)
     True
     """
-    table = _table(data, ("t", "x", "y"), ("angle",))
-    factors = _factors(units or {})
+    wanted = [(name, name != "angle", False) for name in ("t", "x", "y", "angle")]
+    table = read(data, wanted, columns, units, skip).columns
+    factors = {}
     if frame_rate is not None:
         factors["t"] = 1.0 / positive("frame_rate", frame_rate)
     if scale is not None:
         factors["x"] = factors["y"] = positive("scale", scale)
-    columns = {name: values * factors.get(name, 1.0) for name, values in table.items()}
+    film = {name: values * factors.get(name, 1.0) for name, values in table.items()}
     count = int(starts)
     if not 0 < count <= _MOST_STARTS:
         raise ValueError(f"starts must be a whole number from 1 to {_MOST_STARTS}, not {starts!r}")
-    if int(skip) < 0:
-        raise ValueError(f"skip must be a whole number >= 0, not {skip!r}")
     keep = [(str(name), number(name, value)) for name, value in (fixed or {}).items()]
     noise = [
         None if value is None else positive(name, value)
@@ -218,16 +219,21 @@ def fit_track(
     ]
     made = _native.fit_track(
         (
-            columns["t"].tolist(),
-            columns["x"].tolist(),
-            columns["y"].tolist(),
-            columns["angle"].tolist() if "angle" in columns else None,
+            film["t"].tolist(),
+            film["x"].tolist(),
+            film["y"].tolist(),
+            film["angle"].tolist() if "angle" in film else None,
         ),
         law,
         patch,
         keep,
-        (positive("gravity", gravity), positive("inertia_ratio", inertia_ratio), noise[0], noise[1]),
-        (int(skip), start, stop, count),
+        (
+            positive("gravity", gravity),
+            positive("inertia_ratio", inertia_ratio),
+            noise[0],
+            noise[1],
+        ),
+        (0, start, stop, count),
     )
     rows = made.pop("estimates")
     intervals = {row["name"]: tuple(row.pop("interval")) for row in rows}
@@ -246,18 +252,3 @@ def fit_track(
         _radius=dict(keep).get("R"),
         **made,
     )
-
-
-def _factors(units: Mapping[str, str]) -> dict[str, float]:
-    """SI units per unit of each column."""
-    factors = {}
-    for name, unit in units.items():
-        if unit == "px":
-            raise ValueError("pixels have no length: give scale=metres_per_pixel, or units such as mm")
-        if name not in _UNITS:
-            raise ValueError(f"there is no column {name!r}; the columns are {', '.join(_UNITS)}")
-        known = _UNITS[name]
-        if unit not in known:
-            raise ValueError(f"{unit!r} is no unit of {name}; give {', '.join(known)}")
-        factors[name] = known[unit]
-    return factors

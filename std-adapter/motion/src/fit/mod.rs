@@ -91,4 +91,7 @@ mod hard_cases;
 mod nist;
 #[cfg(test)]
 #[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
+mod records;
+#[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod tests;

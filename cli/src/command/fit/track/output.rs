@@ -59,7 +59,9 @@ fn line(estimate: &TrackEstimate) -> String {
     let interval = match estimate.known {
         Uncertainty::Fixed => String::new(),
         _ => {
-            let [low, high] = estimate.interval.map(|end| significant(end, INTERVAL_DIGITS));
+            let [low, high] = estimate
+                .interval
+                .map(|end| significant(end, INTERVAL_DIGITS));
             format!("95 % {low} to {high}  ")
         }
     };

@@ -190,12 +190,8 @@ fn settle(
             .raw(&film.unknowns.values(&best.q))
             .ok_or(FitError::NoStart)?;
         let before = (film.noise, film.is_kept.clone());
-        // After a robust fit medians tell the noise; outliers go, and sums of squares tell it better.
-        let limit = given(if film.is_robust {
-            film.robust_noise(&raw)
-        } else {
-            film.mean_noise(&raw)
-        });
+        // Medians are not moved by what is far off.
+        let limit = given(film.robust_noise(&raw));
         is_misfit = leave_out(film, &raw, limit);
         film.noise = given(film.mean_noise(&raw));
         let change = |a: f64, b: f64| (a / b - 1.0).abs();

@@ -4,7 +4,7 @@ use super::super::estimate::Uncertainty;
 use super::TrackFit;
 use super::film::Track;
 use super::model::{TrackModel, Turning};
-use super::weighted::Weighted;
+use super::weighted::{Weighted, first_noise};
 use nalgebra::{Matrix3, Vector3};
 
 /// Standard deviations beyond which something is more than chance.
@@ -13,8 +13,6 @@ const BEYOND: f64 = 6.0;
 const HALVINGS: usize = 50;
 /// Doublings of the film's length within which a body comes to rest.
 const DOUBLINGS: usize = 12;
-/// Ratio of rim speed to speed below which the spin hardly changes the friction.
-const HARDLY: f64 = 0.05;
 /// Frames that are named at most.
 const NAMED: usize = 5;
 
@@ -98,8 +96,8 @@ fn ambiguities(seen: &Seen<'_>) -> Vec<String> {
         let is_lost = matches!(estimate.known, Uncertainty::Undetermined(_));
         match name {
             "R" if is_lost || high.is_infinite() || low == 0.0 => {
-                let [speed, rim] = model.speeds(&fit.values());
-                let why = if rim < HARDLY * speed {
+                let spin = fit.estimate("spin").map(|spin| spin.interval);
+                let why = if spin.is_some_and(|[low, high]| low <= 0.0 && high >= 0.0) {
                     "a body that hardly spins tells nothing about its radius"
                 } else {
                     "the film does not bound the radius on both sides"
@@ -218,7 +216,7 @@ fn hand(seen: &Seen<'_>) -> Option<String> {
         [track.times(), track.x(), track.y()]
             .map(|column| column.get(at..at + width).map_or(f64::NAN, mean))
     };
-    let noise = seen.film.noise.position * (2.0 / width as f64).sqrt();
+    let noise = first_noise(track).position * (2.0 / width as f64).sqrt();
     let speeds = starts.windows(2).map(|pair| {
         let ([t, x, y], [later, there, aside]) = (centre(pair[0]), centre(pair[1]));
         [

@@ -20,7 +20,11 @@ impl Disk {
     pub fn new() -> Self {
         let at = |k: usize| {
             let w = k as f64 / PLACES as f64;
-            if k == 0 { [1.0, 0.0] } else { wrench((1.0 - w) / w) }
+            if k == 0 {
+                [1.0, 0.0]
+            } else {
+                wrench((1.0 - w) / w)
+            }
         };
         Self((0..=PLACES).map(at).collect())
     }
@@ -114,7 +118,10 @@ fn wrench(d: f64) -> [f64; 2] {
         };
         let far = -d * cos + half;
         let near = if d <= 1.0 { 0.0 } else { -d * cos - half };
-        let (square, cube) = (far * far - near * near, far * far * far - near * near * near);
+        let (square, cube) = (
+            far * far - near * near,
+            far * far * far - near * near * near,
+        );
         sums[0] -= weight * cos * square / 2.0;
         sums[1] += weight * (d * cos * square / 2.0 + cube / 3.0);
     }

@@ -32,7 +32,7 @@ fn assert_within_errors(fit: &TrackFit, truths: &[(&str, f64)]) {
 /// dv/dt = −g (μ + k v) has v = (v₀ + μ/k) e^(−kgt) − μ/k.
 #[test]
 fn a_film_of_oil_gives_its_viscous_part() {
-    let (mu, k, speed) = (0.05, 0.1, 2.0);
+    let (mu, k, speed) = (0.05_f64, 0.1_f64, 2.0_f64);
     let rest = (1.0 + k * speed / mu).ln() / (k * GRAVITY);
     let way = |t: f64| {
         let t = t.min(rest);
