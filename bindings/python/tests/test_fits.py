@@ -22,6 +22,7 @@ def stribeck(v: Any, mu_s: float, mu_d: float, vs: float, delta: float, k: float
 
 
 SPEEDS = np.geomspace(1e-3, 2.0, 40)
+PROGRAMS = DATA.parents[1] / "std-adapter" / "motion" / "src" / "fit" / "usage" / "programs.md"
 
 
 @pytest.fixture(scope="module")
@@ -50,6 +51,17 @@ def test_noiseless_laws_come_back() -> None:
 
 def lugre_steady(v: Any) -> Any:
     return 1.0 + 0.5 * np.exp(-((v / 0.01) ** 2)) + 0.4 * v
+
+
+def test_programs_of_fitted_laws_have_friction_of_the_law(capsys: Any) -> None:
+    laws = PROGRAMS.read_text(encoding="utf-8").split("\n## ")[1:]
+    for law in laws:
+        program, wanted = (law.split(f"```{kind}\n")[1].split("```")[0] for kind in ("python", "text"))
+        # Programs print for people; here all digits count.
+        exec(program.replace(":.9f", ":.17g"), {})
+        told = np.loadtxt(capsys.readouterr().out.replace(" m/s:", "").splitlines())
+        assert told == pytest.approx(np.loadtxt(wanted.splitlines()), rel=1e-12), law
+    assert len(laws) >= 15
 
 
 @pytest.mark.parametrize("weighted", [False, True])

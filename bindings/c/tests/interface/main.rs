@@ -4,6 +4,7 @@ mod batches;
 mod digest;
 mod examples;
 mod feet;
+mod fitted;
 mod header;
 mod kernel;
 mod manifold;

@@ -1,6 +1,7 @@
 //! A fitted law as a program in C: with the library where it has the law, else complete in itself.
 
-use super::shape::{Shape, dahl, joint_fields, rock_fields};
+use super::shape::Shape;
+use super::spec::{dahl, joint_fields, rock_fields};
 use super::{FittedLaw, SHOWN_SPEEDS, SHOWN_STEP, SHOWN_VELOCITIES, number};
 use tribos_core::law::LuGreParameters;
 
@@ -199,13 +200,13 @@ fn elasto_plastic(joint: &LuGreParameters<f64>, zba: f64) -> String {
     format!(
         "#include <math.h>\n#include <stdio.h>\n\n\
          /* Bristles that do not creep while they are bent little, in N, m and s. */\n{constants}\
-         static const double elastic_share = {zba:?}; /* deflection up to which nothing slips, over that of the Coulomb force */\n\
+         static const double elastic_share = {zba:?}; /* deflection up to which nothing slips, over that of steady sliding */\n\
          static double deflection; /* of the bristles; the state, one for each contact; 0 is relaxed */\n\n\
          /* Friction after dt seconds at a velocity in m/s; |v| dt has to be well below coulomb_force/stiffness. */\n\
          static double friction(double v, double dt)\n{{\n    \
          const double z = fabs(deflection), x = v / stribeck_speed;\n    \
          const double steady = coulomb_force + (static_force - coulomb_force) * exp(-x * x);\n    \
-         const double elastic = elastic_share * coulomb_force / stiffness, most = steady / stiffness;\n    \
+         const double most = steady / stiffness, elastic = elastic_share * most;\n    \
          double slipping = 0.0; /* share of the motion */\n    \
          if (deflection * v > 0.0 && z > elastic)\n        \
          slipping = z >= most ? 1.0 : 0.5 + 0.5 * sin({:?} * (z - 0.5 * (most + elastic)) / (most - elastic));\n    \

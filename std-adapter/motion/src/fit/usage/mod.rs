@@ -7,9 +7,12 @@ mod rust;
 mod scene;
 mod shape;
 mod simulators;
+mod spec;
 
 #[cfg(test)]
 #[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
+mod samples;
+#[cfg(test)]
 mod tests;
 
 use std::fmt;

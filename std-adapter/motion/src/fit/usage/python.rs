@@ -1,6 +1,7 @@
 //! A fitted law as lines of Python.
 
-use super::shape::{Shape, dahl, joint_fields, rock_fields};
+use super::shape::Shape;
+use super::spec::{dahl, joint_fields, rock_fields};
 use super::{FittedLaw, SHOWN_SPEEDS, SHOWN_STEP, SHOWN_VELOCITIES, number};
 use tribos_core::law::LuGreParameters;
 
@@ -138,11 +139,12 @@ fn elasto_plastic(joint: &LuGreParameters<f64>, zba: f64) -> String {
     format!(
         "import math\n\n\
          # Bristles that do not creep while they are bent little, in N, m and s.\n{constants}\
-         elastic_share = {zba:?}  # deflection up to which nothing slips, over that of the Coulomb force\n\n\n\
+         elastic_share = {zba:?}  # deflection up to which nothing slips, over that of steady sliding\n\n\n\
          def step(deflection, velocity, dt):  # abs(velocity) * dt well below coulomb_force / stiffness\n    \
          z, x = abs(deflection), velocity / stribeck_speed\n    \
          steady = coulomb_force + (static_force - coulomb_force) * math.exp(-x * x)\n    \
-         elastic, most = elastic_share * coulomb_force / stiffness, steady / stiffness\n    \
+         most = steady / stiffness\n    \
+         elastic = elastic_share * most\n    \
          if deflection * velocity <= 0.0 or z <= elastic:\n        \
          slipping = 0.0  # share of the motion\n    \
          elif z >= most:\n        slipping = 1.0\n    \

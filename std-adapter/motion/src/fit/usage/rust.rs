@@ -1,6 +1,7 @@
 //! A fitted law as a program in Rust: with the kernel's law, or with a few lines where it has none.
 
-use super::shape::{Shape, dahl, joint_fields, rock_fields};
+use super::shape::Shape;
+use super::spec::{dahl, joint_fields, rock_fields};
 use super::{FittedLaw, SHOWN_SPEEDS, SHOWN_STEP, SHOWN_VELOCITIES, number};
 use tribos_core::law::LuGreParameters;
 
@@ -9,7 +10,7 @@ pub(super) fn program(law: &FittedLaw<'_>, shape: &Shape) -> String {
     let unit = law.unit();
     match shape {
         Shape::Coulomb { mu } => local(
-            "CoulombLaw",
+            "CoulombLaw<f64>",
             "CoulombLaw, LawError, LocalLaw",
             &format!("CoulombLaw::new({mu:?})"),
             unit,
@@ -23,14 +24,14 @@ pub(super) fn program(law: &FittedLaw<'_>, shape: &Shape) -> String {
             k,
         } => stribeck([*mu_s, *mu_d, *vs, *delta, *k], unit),
         Shape::Tanh { mu, vt } => local(
-            "TanhLaw",
+            "TanhLaw<f64>",
             "LawError, LocalLaw, TanhLaw",
             &format!("TanhLaw::new({mu:?}, {vt:?})"),
             unit,
         ),
         Shape::Arctan { mu, vt } => arctan(*mu, *vt, unit),
         Shape::Rising { mu_s, mu_f, vr } => local(
-            "RisingLaw",
+            "RisingLaw<f64>",
             "LawError, LocalLaw, RisingLaw, RisingLawParameters",
             &format!(
                 "RisingLaw::new(RisingLawParameters {{ mu_rest: {mu_s:?}, mu_fast: {mu_f:?}, speed: {vr:?} }})"
@@ -38,7 +39,7 @@ pub(super) fn program(law: &FittedLaw<'_>, shape: &Shape) -> String {
             unit,
         ),
         Shape::Power { gamma, alpha } => local(
-            "PowerLaw",
+            "PowerLaw<f64>",
             "LawError, LocalLaw, PowerLaw",
             &format!("PowerLaw::new({alpha:?}, {gamma:?})"),
             unit,
@@ -49,8 +50,8 @@ pub(super) fn program(law: &FittedLaw<'_>, shape: &Shape) -> String {
         Shape::ElastoPlastic { joint, zba } => elasto_plastic(joint, *zba),
         Shape::LuGre(joint) => bristles(joint),
         Shape::SteadyLuGre(joint) => local(
-            "SteadyLuGre",
-            "LawError, LocalLaw, LuGre, LuGreParameters, SteadyLuGre",
+            "impl LocalLaw<f64>",
+            "LawError, LocalLaw, LuGre, LuGreParameters",
             // The bristles do not matter in steady sliding.
             &format!(
                 "LuGre::new(LuGreParameters {{\n{}    }})?.steady_per_load(1.0)",
@@ -63,7 +64,7 @@ pub(super) fn program(law: &FittedLaw<'_>, shape: &Shape) -> String {
             rate_state(&rock_fields(rock, field), evolution, rock.reference_speed)
         }
         Shape::SteadyRateState(rock) => local(
-            "SteadyRateState",
+            "SteadyRateState<f64>",
             "LawError, LocalLaw, RateState, RateStateParameters, SteadyRateState",
             &format!(
                 "Ok(RateState::<f64>::new(RateStateParameters {{\n{}    }})?.steady())",
@@ -84,12 +85,12 @@ fn fields(joint: &LuGreParameters<f64>) -> String {
 }
 
 /// A law of the kernel that depends on the speed alone.
-fn local(name: &str, uses: &str, made: &str, unit: &str) -> String {
+fn local(law: &str, uses: &str, made: &str, unit: &str) -> String {
     let shown = shown_speeds(unit, "law.friction(speed)");
     format!(
         "use tribos_core::law::{{{uses}}};\n\n\
          /// The fitted law. It couples sliding and spinning of a patch by `DiskQuadrature::new(law)`.\n\
-         fn law() -> Result<{name}<f64>, LawError> {{\n    {made}\n}}\n\n\
+         fn law() -> Result<{law}, LawError> {{\n    {made}\n}}\n\n\
          fn main() -> Result<(), LawError> {{\n    let law = law()?;\n{shown}    Ok(())\n}}\n"
     )
 }
@@ -118,7 +119,7 @@ fn stribeck([mu_s, mu_d, vs, delta, k]: [f64; 5], unit: &str) -> String {
             .concat()
     );
     let uses = "DryFriction, LawError, LocalLaw, Stribeck, StribeckParameters";
-    local("Stribeck", uses, &made, unit)
+    local("Stribeck<f64>", uses, &made, unit)
 }
 
 fn arctan(mu: f64, vt: f64, unit: &str) -> String {
@@ -218,14 +219,14 @@ fn elasto_plastic(joint: &LuGreParameters<f64>, zba: f64) -> String {
          /// The fitted law, in N, m and s: bristles that do not creep while they are bent little.\n\
          #[derive(Default)]\nstruct ElastoPlastic {{\n    deflection: f64, // of the bristles; the state\n}}\n\n\
          impl ElastoPlastic {{\n{constants}    \
-         /// Deflection up to which nothing slips, over that of the Coulomb force.\n    \
+         /// Deflection up to which nothing slips, over that of steady sliding.\n    \
          const ELASTIC_SHARE: f64 = {zba:?};\n\n    \
          /// Friction after a time at a velocity; |velocity| dt has to be well below COULOMB_FORCE/STIFFNESS.\n    \
          fn step(&mut self, velocity: f64, dt: f64) -> f64 {{\n        \
          let (z, x) = (self.deflection.abs(), velocity / Self::STRIBECK_SPEED);\n        \
          let steady = Self::COULOMB_FORCE + (Self::STATIC_FORCE - Self::COULOMB_FORCE) * (-x * x).exp();\n        \
-         let elastic = Self::ELASTIC_SHARE * Self::COULOMB_FORCE / Self::STIFFNESS;\n        \
          let most = steady / Self::STIFFNESS;\n        \
+         let elastic = Self::ELASTIC_SHARE * most;\n        \
          // Share of the motion that slips.\n        \
          let slipping = if self.deflection * velocity <= 0.0 || z <= elastic {{\n            0.0\n        \
          }} else if z >= most {{\n            1.0\n        }} else {{\n            \

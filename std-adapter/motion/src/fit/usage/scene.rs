@@ -1,6 +1,7 @@
 //! A fitted law as a scene: a body on a spring that is pulled, or a disk that slides to rest.
 
-use super::shape::{Shape, dahl};
+use super::shape::Shape;
+use super::spec::dahl;
 use super::{FittedLaw, Usage};
 use tribos_core::law::{LocalLaw as _, LuGreParameters, RateStateParameters};
 use tribos_friction::Law;
@@ -63,7 +64,7 @@ fn spring(spec: &str, load: f64) -> String {
         .and_then(|law| law.build::<f64>().ok());
     let force = law.map_or(load, |law| load * law.friction(PULL_SPEED));
     format!(
-        "# A body on a spring whose end is pulled, under the fitted law: tribos run FILE\n\
+        "# A body on a spring whose end is pulled, under the fitted law: tribos run FILE --out DIR\n\
          body       = \"spring\"\n\
          mass       = 1.0  # kg\n\
          stiffness  = {:.3e}  # N/m\n\
@@ -78,7 +79,7 @@ fn spring(spec: &str, load: f64) -> String {
 /// A disk that slides and spins: friction that is infinite at rest never lets a spring's body go.
 fn disk(law: &FittedLaw<'_>, shape: &Shape) -> String {
     format!(
-        "# A disk that slides and spins to rest under the fitted law: tribos run FILE\n\
+        "# A disk that slides and spins to rest under the fitted law: tribos run FILE --out DIR\n\
          body          = \"disk\"\n\
          speed         = 1.0  # m/s\n\
          spin          = 5.0  # rad/s\n\
@@ -110,7 +111,7 @@ fn bristles(law: &FittedLaw<'_>, joint: &LuGreParameters<f64>) -> String {
     let force = joint.static_force * load;
     let (speed, time) = (joint.stribeck_speed, PULL_TIME);
     format!(
-        "# A body on a spring whose end is pulled, under the fitted bristles: tribos run FILE\n\
+        "# A body on a spring whose end is pulled, under the fitted bristles: tribos run FILE --out DIR\n\
          body              = \"spring\"\n\
          friction_law      = \"lugre\"\n\
          mass              = 1.0  # kg\n\
@@ -144,7 +145,7 @@ fn rate_state(rock: &RateStateParameters<f64>, by_slip: bool) -> String {
     /// Distance of the pull, in memory lengths.
     const MEMORIES: f64 = 100.0;
     format!(
-        "# A body on a spring whose end is pulled, under the fitted law: tribos run FILE\n\
+        "# A body on a spring whose end is pulled, under the fitted law: tribos run FILE --out DIR\n\
          # A spring below load (b - a)/slip_distance sticks and slips.\n\
          body              = \"spring\"\n\
          friction_law      = \"rate-state\"\n\

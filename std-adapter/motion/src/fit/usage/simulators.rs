@@ -22,9 +22,9 @@ const MUJOCO: Simulator = Simulator {
     contact: "friction, first number",
     joint: ["frictionloss", "damping"],
     inertia: Some("armature"),
-    of_contacts: "Of two geoms MuJoCo takes the larger coefficient: give it to both. The second number is a length, \
-        torque over mu N, for condim 4: 2/3 of the radius of a disk; the third is that of rolling.",
-    at_rest: "the ramp at rest is that of solref and impratio, under which a body creeps",
+    of_contacts: "Of two geoms MuJoCo takes the larger coefficient: give it to both. The second number, for condim 4, is a \
+        length: the largest torque over the load, 2/3 mu R for a disk of radius R.",
+    at_rest: "the ramp at rest is that of solref and impratio, in a joint of solreffriction",
 };
 
 const NEWTON: Simulator = Simulator {
