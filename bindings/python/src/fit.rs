@@ -7,8 +7,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use tribos::fit::support::{MeasuredPush, SupportFit, fit_support_within};
 use tribos::fit::{
-    Apparatus, Fit, FitColumns, FitError, FitLaw, FitOptions, FittedLaw, Measurements, Uncertainty, Usage,
-    UsageTarget, compare,
+    Apparatus, Fit, FitColumns, FitError, FitLaw, FitOptions, FittedLaw, Measurements, Uncertainty,
+    Usage, UsageTarget, compare,
 };
 use tribos::friction::{Area, Flat};
 use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
@@ -31,6 +31,8 @@ pub struct Columns {
     sigma: Option<Vec<f64>>,
     a: Option<Vec<f64>>,
     load: Option<Vec<f64>>,
+    rest: f64,
+    inertia: bool,
 }
 
 impl From<Columns> for FitColumns {
@@ -42,6 +44,8 @@ impl From<Columns> for FitColumns {
             sigma: columns.sigma,
             acceleration: columns.a,
             load: columns.load,
+            rest: columns.rest,
+            wants_acceleration: columns.inertia,
         }
     }
 }
@@ -82,11 +86,15 @@ pub fn fit_law<'py>(
         let data = &prepared.data;
         let model = law.model_on(data, apparatus(machine))?;
         let fit = data.fit(model.as_ref(), &FitOptions { fixed, starts })?;
-        Ok((fit, prepared.resting, data.load().is_some()))
+        Ok((
+            fit,
+            [prepared.resting, prepared.lifted],
+            data.load().is_some(),
+        ))
     })?;
-    let (fit, resting, is_per_load) = found.map_err(told)?;
+    let (fit, left_out, is_per_load) = found.map_err(told)?;
     let answer = result(py, law, &fit, is_per_load)?;
-    answer.set_item("resting", resting)?;
+    answer.set_item("left_out", left_out)?;
     Ok(answer)
 }
 
@@ -104,19 +112,25 @@ pub fn fit_all_laws<'py>(
         let prepared = FitColumns::from(columns).prepared(None)?;
         let (data, options) = (&prepared.data, FitOptions { fixed, starts });
         let found = compare(data, apparatus(machine), &options, &mut |_, _| ());
-        Ok((found, prepared.resting, data.load().is_some()))
+        Ok((
+            found,
+            [prepared.resting, prepared.lifted],
+            data.load().is_some(),
+        ))
     })?;
-    let ((all, left_out), resting, is_per_load) = found.map_err(told)?;
+    let ((all, refusals), left_out, is_per_load) = found.map_err(told)?;
     let all = all.iter().map(|one| {
         let answer = result(py, one.law, &one.fit, is_per_load)?;
-        answer.set_item("resting", resting)?;
+        answer.set_item("left_out", left_out)?;
         answer.set_item("akaike", one.akaike)?;
         answer.set_item("foretold", one.foretold)?;
         answer.set_item("is_told_apart", one.is_told_apart)?;
         Ok(answer)
     });
-    let left_out = left_out.into_iter().map(|(law, why)| (law.name(), why.to_string()));
-    Ok((all.collect::<PyResult<_>>()?, left_out.collect()))
+    let refusals = refusals
+        .into_iter()
+        .map(|(law, why)| (law.name(), why.to_string()));
+    Ok((all.collect::<PyResult<_>>()?, refusals.collect()))
 }
 
 /// A fitted law as a program, a scene or coefficients of a simulator.
@@ -141,7 +155,9 @@ pub fn fit_usage(
         let names = TARGETS.map(|(name, _)| name).join(", ");
         refused(format!("there is no target `{target}`; there are {names}"))
     })?;
-    let parameters = parameters.iter().map(|(name, value)| (name.as_str(), *value));
+    let parameters = parameters
+        .iter()
+        .map(|(name, value)| (name.as_str(), *value));
     let parameters: Vec<(&str, f64)> = parameters.collect();
     let fitted = FittedLaw {
         law,

@@ -22,7 +22,11 @@ fn roles(wanted: &Wanted) -> PyResult<Vec<LogRole>> {
     let role = |(name, is_needed, by_own_name): &(String, bool, bool)| {
         let known = LogRole::ALL.into_iter().find(|role| role.name == name);
         let known = known.ok_or_else(|| refused(format!("there is no role {name}")))?;
-        let known = if *by_own_name { known.by_own_name() } else { known };
+        let known = if *by_own_name {
+            known.by_own_name()
+        } else {
+            known
+        };
         Ok(if *is_needed { known.needed() } else { known })
     };
     wanted.iter().map(role).collect()

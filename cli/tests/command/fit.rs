@@ -304,7 +304,7 @@ fn strokes_that_cannot_be_found_are_refused_with_a_reason() -> Outcome {
     for (text, options, reason) in [
         ("v,f\n1,2\n", "", "no column for t"),
         ("t,v,f\n0,0,1\n1,0,1\n2,0,1\n", "", "nothing moves"),
-                (
+        (
             "t,f,load\n0,1,2\n1,1,0\n",
             "",
             "r.csv:3: the load must be > 0",
@@ -359,24 +359,42 @@ fn a_joint_is_fitted_with_its_drive_and_printed_for_programs() -> Outcome {
     let folder = tempfile::tempdir()?;
     std::fs::write(folder.path().join("servo.txt"), servo())?;
     let bare = fit(folder.path(), "--law viscous servo.txt")?;
-    assert_has(&bare, &["read          semicolons, decimal commas", "fit it by --inertia"]);
+    assert_has(
+        &bare,
+        &[
+            "read          semicolons, decimal commas",
+            "fit it by --inertia",
+        ],
+    );
     let line = "--law viscous servo.txt --inertia --offset";
     let json = fit(folder.path(), &format!("{line} --format json"))?;
     let json: serde_json::Value = serde_json::from_str(&json)?;
-    assert_eq!((&json["law"], &json["rows"], &json["dropped"]), (&"viscous".into(), &400.into(), &0.into()));
+    assert_eq!(
+        (&json["law"], &json["rows"], &json["dropped"]),
+        (&"viscous".into(), &400.into(), &0.into())
+    );
     for (name, truth) in [("mu", 1.4), ("k", 2.2), ("inertia", 0.57), ("offset", 0.02)] {
         let all = json["parameters"].as_array().ok_or("no list")?;
-        let one = all.iter().find(|one| one["name"] == name).ok_or("no parameter")?;
+        let one = all
+            .iter()
+            .find(|one| one["name"] == name)
+            .ok_or("no parameter")?;
         let number = |value: &serde_json::Value| value.as_f64().ok_or("no number");
         let [low, high] = [number(&one["interval"][0])?, number(&one["interval"][1])?];
         // Accelerations are differences of the velocity: right to a thousandth.
-        assert!(low - 1e-3 < truth && truth < high + 1e-3, "{name}: {low} to {high}");
+        assert!(
+            low - 1e-3 < truth && truth < high + 1e-3,
+            "{name}: {low} to {high}"
+        );
         assert!(number(&one["error"])? > 0.0 && number(&one["value"])? > low);
     }
     assert!(json["rms"].as_f64().is_some_and(|rms| rms < 5e-3));
     let xml = fit(folder.path(), &format!("{line} --as mujoco"))?;
     assert_has(&xml, &["frictionloss=\"1.4", "armature=\"0.57"]);
-    let program = fit(folder.path(), &format!("--law lugre {} --as c", data("joint.csv")))?;
+    let program = fit(
+        folder.path(),
+        &format!("--law lugre {} --as c", data("joint.csv")),
+    )?;
     assert_has(&program, &["tribos_lugre_step_f64"]);
     Ok(())
 }
@@ -384,8 +402,14 @@ fn a_joint_is_fitted_with_its_drive_and_printed_for_programs() -> Outcome {
 #[test]
 fn all_laws_are_compared_on_a_bearing() -> Outcome {
     let folder = tempfile::tempdir()?;
-    let told = fit(folder.path(), &format!("--law all {} --out out", data("bearing.csv")))?;
-    assert_has(&told, &["best          stribeck", "left out      dahl", "coulomb"]);
+    let told = fit(
+        folder.path(),
+        &format!("--law all {} --out out", data("bearing.csv")),
+    )?;
+    assert_has(
+        &told,
+        &["best          stribeck", "left out      dahl", "coulomb"],
+    );
     let table = std::fs::read_to_string(folder.path().join("out/laws.csv"))?;
     assert!(table.starts_with("law,parameters,rms,foretold,akaike,told_apart\nstribeck,5,"));
     let json = std::fs::read_to_string(folder.path().join("out/laws.json"))?;

@@ -262,6 +262,7 @@ def fit(
     units: Mapping[str, str] | None = None,
     skip: int = 0,
     load: float | None = None,
+    slowest: float = 0.0,
     inertia: bool = False,
     offset: bool = False,
     spring: float | str | None = None,
@@ -292,6 +293,8 @@ def fit(
         Lines at the beginning of a file that are left out.
     load
         Load in N at which f was measured as a force: parameters are then coefficients.
+    slowest
+        Speed in m/s up to which rows count as rest, and are left out under laws of sliding.
     inertia, offset
         Whether an inertia that is accelerated, and a constant force, are fitted as well.
     spring
@@ -318,7 +321,7 @@ def fit(
     usual = (("a",) if inertia else ()) + (("load",) if law == "amontons" else ())
     log = read(data, roles(usual), columns, units, skip)
     machine, keep = _machine(inertia, offset, spring, fixed)
-    made = _native.fit_law(law, _columns(log, load), machine, keep, _count(starts))
+    made = _native.fit_law(law, _columns(log, load, slowest, inertia), machine, keep, _count(starts))
     return _law_fit(made, log, machine)
 
 
@@ -329,6 +332,7 @@ def compare(
     units: Mapping[str, str] | None = None,
     skip: int = 0,
     load: float | None = None,
+    slowest: float = 0.0,
     inertia: bool = False,
     offset: bool = False,
     fixed: Mapping[str, float] | None = None,
@@ -338,7 +342,7 @@ def compare(
 
     Parameters
     ----------
-    data, columns, units, skip, load, inertia, offset, fixed, starts
+    data, columns, units, skip, load, slowest, inertia, offset, fixed, starts
         As in `fit`; a parameter that is kept concerns the laws that have it.
 
     Examples
@@ -351,7 +355,7 @@ def compare(
     """
     log = read(data, roles(("a",) if inertia else ()), columns, units, skip)
     machine, keep = _machine(inertia, offset, None, fixed)
-    found, _ = _native.fit_all_laws(_columns(log, load), machine, keep, _count(starts))
+    found, _ = _native.fit_all_laws(_columns(log, load, slowest, inertia), machine, keep, _count(starts))
     return [
         Compared(
             _law_fit(made, log, machine), made["akaike"], made["foretold"], made["is_told_apart"]
@@ -379,9 +383,12 @@ def _machine(
     return (bool(inertia), bool(offset), spring is not None), keep
 
 
-def _columns(log: Log, load: float | None) -> dict[str, list[float] | None]:
-    """Columns by role, with a load that is given as one."""
-    table: dict[str, list[float] | None] = {
+def _columns(log: Log, load: float | None, slowest: float, inertia: bool) -> dict[str, Any]:
+    """Columns by role, with a load that is given as one, and how they are to be taken."""
+    rest = number("slowest", slowest)
+    if rest < 0.0:
+        raise ValueError(f"slowest must be >= 0, not {slowest!r}")
+    table: dict[str, Any] = {
         name: log.columns[name].tolist() if name in log.columns else None
         for name in ("t", "v", "f", "sigma", "a", "load")
     }
@@ -389,7 +396,7 @@ def _columns(log: Log, load: float | None) -> dict[str, list[float] | None]:
         if table["load"] is not None:
             raise ValueError("a column load and load are both given; leave one out")
         table["load"] = [positive("load", load)] * len(log.columns["f"])
-    return table
+    return {**table, "rest": rest, "inertia": bool(inertia)}
 
 
 def _law_fit(made: dict[str, Any], log: Log, machine: tuple[bool, bool, bool]) -> LawFit:
@@ -404,7 +411,8 @@ def _law_fit(made: dict[str, Any], log: Log, machine: tuple[bool, bool, bool]) -
         )
         for row in made["estimates"]
     ]
-    resting = {"at rest": made["resting"]} if made["resting"] else {}
+    counts = zip(("at rest", "without a load"), made["left_out"], strict=True)
+    left_out = {why: count for why, count in counts if count}
     return LawFit(
         name=made["name"],
         estimates=tuple(estimates),
@@ -423,7 +431,7 @@ def _law_fit(made: dict[str, Any], log: Log, machine: tuple[bool, bool, bool]) -
         warnings=tuple(made["warnings"]),
         _spec=made["law"],
         read=log.brief,
-        dropped={**log.dropped, **resting},
+        dropped={**log.dropped, **left_out},
     )
 
 

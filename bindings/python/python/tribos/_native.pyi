@@ -73,14 +73,14 @@ _Given = tuple[list[tuple[str, str]], list[tuple[str, str]], int]
 
 def command(arguments: list[str]) -> int: ...
 def fit_all_laws(
-    columns: dict[str, list[float] | None],
+    columns: dict[str, Any],
     machine: tuple[bool, bool, bool],
     fixed: list[tuple[str, float]],
     starts: int,
 ) -> tuple[list[dict[str, Any]], list[tuple[str, str]]]: ...
 def fit_law(
     law: str,
-    columns: dict[str, list[float] | None],
+    columns: dict[str, Any],
     machine: tuple[bool, bool, bool],
     fixed: list[tuple[str, float]],
     starts: int,

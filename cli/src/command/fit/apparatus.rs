@@ -14,6 +14,10 @@ pub struct Machine {
     /// differences.
     #[arg(long)]
     pub inertia: bool,
+    /// Speed [m/s] up to which rows count as rest, and are left out under laws of sliding: friction of a joint that hardly turns
+    /// is not yet that of sliding.
+    #[arg(long, value_name = "V", default_value = "0", hide_default_value = true, value_parser = number::not_negative)]
+    pub slowest: f64,
     /// Fit a constant force as well: the zero of a sensor, or friction that differs between the directions.
     #[arg(long)]
     pub offset: bool,

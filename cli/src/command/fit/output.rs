@@ -5,7 +5,7 @@ use crate::command::spool;
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::path::Path;
-use tribos::fit::{Estimate, Fit, FitLaw, FittedLaw, Uncertainty};
+use tribos::fit::{Estimate, Fit, FitLaw, FitParameter, FittedLaw, Uncertainty};
 use tribos::record::{json_number, number, series_csv, significant, write_atomically};
 
 /// A fit with what it came from.
@@ -51,7 +51,7 @@ impl Report<'_> {
                 (format!("{:.3e}", estimate.value), "not determined".into())
             }
         };
-        let unit = self.unit(parameter.unit);
+        let unit = self.unit(parameter);
         let interval = match &estimate.known {
             Uncertainty::Fixed | Uncertainty::Undetermined(_) => String::new(),
             _ => interval(estimate.interval),
@@ -64,25 +64,17 @@ impl Report<'_> {
 
     /// Whether parameters are per load, as coefficients are: friction was a force at known loads.
     pub fn is_per_load(&self) -> bool {
-        self.table.data.load().is_some() || self.is_of_coefficient()
+        self.table.data.load().is_some() || self.law.is_of_coefficient()
     }
 
-    /// Whether the law is one of a coefficient, whatever its data are.
-    fn is_of_coefficient(&self) -> bool {
-        !self
-            .fit
-            .parameters
-            .iter()
-            .any(|estimate| estimate.parameter.unit == "N")
-    }
-
-    /// The unit, per load if friction is.
-    fn unit(&self, unit: &'static str) -> &'static str {
-        match (self.table.data.load().is_some(), unit) {
-            (true, "N") if self.law.has_memory() || self.law == FitLaw::LuGre => "-",
+    /// The unit of a parameter, per load if friction is one; what the machine adds stays a force.
+    fn unit(&self, parameter: &FitParameter) -> &'static str {
+        let is_own = !matches!(parameter.name, "inertia" | "offset" | "adhesion");
+        match (self.table.data.load().is_some() && is_own, parameter.unit) {
+            (true, "N") => "-",
             (true, "N/m") => "1/m",
             (true, "N s/m") => "s/m",
-            _ => unit,
+            (_, unit) => unit,
         }
     }
 
@@ -156,7 +148,7 @@ impl Report<'_> {
                 "value": json_number(estimate.value),
                 "error": json_number(error),
                 "interval": estimate.interval.map(json_number),
-                "unit": self.unit(estimate.parameter.unit),
+                "unit": self.unit(&estimate.parameter),
                 "state": state,
             })
         });
@@ -274,7 +266,7 @@ impl Report<'_> {
             parameter.name,
             parameter.meaning,
             estimate.value,
-            self.unit(parameter.unit),
+            self.unit(parameter),
             toml_number(estimate.interval[0]),
             toml_number(estimate.interval[1])
         )
@@ -291,9 +283,15 @@ fn toml_number(x: f64) -> String {
     }
 }
 
-/// The ends of an interval, with four digits.
+/// The ends of an interval, with two digits of its width.
 fn interval([low, high]: [f64; 2]) -> String {
-    format!("[{}, {}]", shown_value(low), shown_value(high))
+    let width = high - low;
+    let end = |x: f64| match x {
+        0.0 => "0".to_owned(),
+        x if x.is_finite() && width.is_finite() => value_with_error(x, width).0,
+        x => shown_value(x),
+    };
+    format!("[{}, {}]", end(low), end(high))
 }
 
 /// A value for people, with four digits.

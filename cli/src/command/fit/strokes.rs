@@ -129,7 +129,7 @@ fn read(
             Some(loads) => record.per_load(&loads),
             None => Ok(record),
         });
-    let record = record.map_err(|error| super::table::refusal(file, lines, error))?;
+    let record = record.map_err(|error| super::table::refusal(file, lines, &log.brief, error))?;
     Ok((record, log.brief))
 }
 

@@ -48,6 +48,7 @@ impl Table {
             LogRole::VELOCITY.needed(),
             LogRole::FRICTION.needed(),
             LogRole::DEVIATION,
+            LogRole::POSITION,
             // Many logs hold more than the force: what is not asked for counts where it bears the role's own name.
             LogRole::ACCELERATION.by_own_name(),
         ];
@@ -56,7 +57,7 @@ impl Table {
             _ => LogRole::LOAD.by_own_name(),
         });
         if machine.inertia {
-            roles[4] = LogRole::ACCELERATION;
+            roles[5] = LogRole::ACCELERATION;
         }
         let mut log = read_log(path, &roles, options).map_err(explained)?;
         let friction = log.take("f").unwrap_or_default();
@@ -75,33 +76,37 @@ impl Table {
             sigma: log.take("sigma"),
             acceleration: log.take("a").filter(|_| machine.inertia),
             load: given.or(column),
+            rest: machine.slowest,
+            wants_acceleration: machine.inertia,
         };
         let found = columns.prepared(law);
-        let found = found.map_err(|error| refusal(path, &log.lines, error))?;
+        let found = found.map_err(|error| refusal(path, &log.lines, &log.brief, error))?;
         let dropped = log
             .dropped
             .iter()
             .map(|(why, count)| (why.name().to_owned(), *count));
         let mut dropped: Vec<(String, u64)> = dropped.collect();
-        if found.resting > 0 {
-            dropped.push(("at rest".into(), found.resting as u64));
-        }
+        let left_out = [("at rest", found.resting), ("without a load", found.lifted)];
+        let left_out = left_out.into_iter().filter(|(_, count)| *count > 0);
+        dropped.extend(left_out.map(|(why, count)| (why.to_owned(), count as u64)));
         Ok(Self {
-            told: told(log.brief, &found),
+            told: told(log.brief, &found, law),
             dropped,
             name: path.to_path_buf(),
-            lines: found
-                .rows
-                .iter()
-                .filter_map(|&row| log.lines.get(row).copied())
-                .collect(),
+            lines: match found.rows {
+                None => log.lines,
+                Some(rows) => rows
+                    .iter()
+                    .filter_map(|&row| log.lines.get(row).copied())
+                    .collect(),
+            },
             data: found.data,
         })
     }
 
     /// A refusal with file and line, where it is about a line.
     pub fn refusal(&self, error: FitError) -> Failure {
-        refusal(&self.name, &self.lines, error)
+        refusal(&self.name, &self.lines, &self.told, error)
     }
 
     /// Names and columns of the measurements: time if there is one, velocity, friction.
@@ -118,19 +123,50 @@ impl Table {
     }
 }
 
+/// Share of noise in accelerations that is told.
+const NOISY: f64 = 0.3;
+/// Friction that is large for a coefficient.
+const LARGE: f64 = 3.0;
+
 /// What the reader said, and what was made of the rows.
-fn told(mut brief: Vec<String>, found: &Prepared) -> Vec<String> {
+fn told(mut brief: Vec<String>, found: &Prepared, law: Option<FitLaw>) -> Vec<String> {
+    let rows = |count: usize| {
+        if count == 1 {
+            "1 row".to_owned()
+        } else {
+            format!("{count} rows")
+        }
+    };
     if found.resting > 0 {
-        brief.push(format!("{} rows at rest left out", found.resting));
+        brief.push(format!("{} at rest left out", rows(found.resting)));
+    }
+    if found.lifted > 0 {
+        brief.push(format!("{} without a load left out", rows(found.lifted)));
     }
     if found.is_signed_by_velocity {
         brief.push("friction has no sign: taken along the velocity".into());
     }
+    if found.acceleration_noise > NOISY {
+        brief.push(format!(
+            "accelerations are slopes of v, of which {:.0} % is noise: the inertia comes out too small; smooth v, or give a \
+             column by --columns a=NAME",
+            100.0 * found.acceleration_noise
+        ));
+    }
+    let friction = found.data.friction().iter();
+    let largest = friction.fold(0.0, |most: f64, f| most.max(f.abs()));
+    let is_force = largest > LARGE && found.data.load().is_none();
+    if is_force && law.is_some_and(|law| law.is_of_coefficient()) {
+        brief.push(format!(
+            "f reaches {}, much for a coefficient: parameters are in its unit; --load N or --columns load=NAME divides it",
+            super::output::shown_value(largest)
+        ));
+    }
     brief
 }
 
-/// A refusal with file and line, where it is about a line.
-pub fn refusal(path: &Path, lines: &[u64], error: FitError) -> Failure {
+/// A refusal with file and line, and with what was understood of the file where it is about all of it.
+pub fn refusal(path: &Path, lines: &[u64], told: &[String], error: FitError) -> Failure {
     let name = path.display();
     match error {
         FitError::Point { point, message } => {
@@ -140,6 +176,9 @@ pub fn refusal(path: &Path, lines: &[u64], error: FitError) -> Failure {
         FitError::NoParameter { .. } | FitError::Range { .. } | FitError::NothingFree => {
             Failure::input(format!("--fix: {error}"))
         }
-        error => Failure::input(format!("{name}: {error}")),
+        error => {
+            let told: String = told.iter().map(|line| format!("; {line}")).collect();
+            Failure::input(format!("{name}: {error}{told}"))
+        }
     }
 }

@@ -6,7 +6,7 @@ use super::heading::without_brackets;
 use super::units::any_unit;
 
 /// A line from which the dialect is found.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct HeadLine {
     pub number: u64,
     pub text: String,

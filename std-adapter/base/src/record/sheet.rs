@@ -26,25 +26,29 @@ pub(super) struct Sheet<'a> {
 }
 
 impl<'a> Sheet<'a> {
-    /// Reads the first lines behind `skip` of them; `known` counts the names of a header that are known.
+    /// Reads the first lines behind `skip` of them; `known` counts the names of a header that are known. Where a header is
+    /// among the lines that are left out, and none behind them, it names the columns all the same.
     pub fn open(
         mut lines: Lines<'a>,
         skip: u64,
         below: WordsBelow,
         known: &mut dyn FnMut(&[&str]) -> usize,
     ) -> Result<Self, TableError> {
-        let mut head = Vec::new();
+        let (mut head, mut before) = (Vec::new(), Vec::new());
         while head.len() < HEAD {
             let Some(is_comment) = lines.advance()? else {
                 break;
             };
             let (number, text) = (lines.number(), lines.text().to_owned());
+            let line = HeadLine {
+                number,
+                text,
+                is_comment,
+            };
             if number > skip {
-                head.push(HeadLine {
-                    number,
-                    text,
-                    is_comment,
-                });
+                head.push(line);
+            } else if before.len() < HEAD {
+                before.push(line);
             }
         }
         let dialect = Dialect::of(&head, below, known);
@@ -54,7 +58,10 @@ impl<'a> Sheet<'a> {
             .skip(dialect.first)
             .find(|line| !line.is_comment);
         let width = width.map_or(0, cells);
-        let headings = headings(&head, &dialect, width);
+        let mut headings = headings(&head, &dialect, width);
+        if headings.is_empty() && !before.is_empty() {
+            headings = headings_before(before, &head, (&dialect, width), below, known);
+        }
         Ok(Self {
             lines,
             next: dialect.first,
@@ -165,6 +172,24 @@ impl<'a> Sheet<'a> {
     /// The refusal of what stands in a line.
     pub fn refusal_at(&self, line: u64, reason: &str) -> TableError {
         self.lines.refusal_at(line, reason)
+    }
+}
+
+/// Names and units of the columns from lines that are left out, if a header of as many columns is among them.
+fn headings_before(
+    mut before: Vec<HeadLine>,
+    head: &[HeadLine],
+    (dialect, width): (&Dialect, usize),
+    below: WordsBelow,
+    known: &mut dyn FnMut(&[&str]) -> usize,
+) -> Vec<Heading> {
+    before.extend(head.iter().cloned());
+    let whole = Dialect::of(&before, below, known);
+    let found = headings(&before, &whole, width);
+    if whole.delimiter == dialect.delimiter && found.len() == width {
+        found
+    } else {
+        Vec::new()
     }
 }
 

@@ -45,14 +45,16 @@ pub enum Caution {
     Correlated {
         /// Factor of the errors.
         factor: f64,
-        /// Correlation of neighbours.
-        lag_one: f64,
+        /// Over so many points.
+        points: f64,
     },
     /// Residuals hold a constant force.
     Offset {
         /// In the unit of friction.
         value: f64,
     },
+    /// An offset is fitted to data of one direction.
+    OneWay,
     /// Residuals follow the acceleration.
     Inertia {
         /// Force over acceleration.
@@ -137,14 +139,18 @@ impl fmt::Display for Caution {
                 f,
                 "correlation of {a} and {b} is {correlation:.4}: the data hardly tell these apart; fix one"
             ),
-            Self::Correlated { factor, lag_one } => write!(
+            Self::Correlated { factor, points } => write!(
                 f,
-                "residuals follow each other (correlation of neighbours {lag_one:.2}): the law lacks something or the \
-                 noise is filtered; errors are enlarged {factor:.1} times for it"
+                "residuals follow each other over some {points:.0} points: the law lacks something or the noise is filtered; \
+                 errors are enlarged {factor:.1} times for it"
             ),
             Self::Offset { value } => write!(
                 f,
                 "the directions differ: residuals hold a constant {value:.3e}; fit it by --offset"
+            ),
+            Self::OneWay => write!(
+                f,
+                "the data move in one direction: an offset cannot be told from dry friction there; leave --offset out"
             ),
             Self::Inertia { value } => write!(
                 f,
@@ -161,7 +167,7 @@ impl fmt::Display for Caution {
             ),
             Self::Outliers { count } => write!(
                 f,
-                "{count} residuals are more than five deviations away: look at residuals.csv"
+                "residuals more than five deviations away: {count}; look at residuals.csv"
             ),
             Self::Steps {
                 name,
@@ -257,6 +263,7 @@ fn undetermined(fit: &Fit, all: &mut Vec<Caution>) {
                 let mut names = others.clone();
                 names.push(name);
                 names.sort_unstable();
+                names.dedup();
                 let caution = Caution::Undetermined { names };
                 if !all.contains(&caution) {
                     all.push(caution);
@@ -291,7 +298,7 @@ fn of_residuals(fit: &Fit, tests: &ResidualTests, all: &mut Vec<Caution>) {
     if tests.runs_p < CORRELATED {
         all.push(Caution::Correlated {
             factor: tests.error_factor,
-            lag_one: tests.lag_one,
+            points: (2.0 * tests.correlation_time).ceil(),
         });
     }
     // The tests saw residuals in another unit: only ratios count.

@@ -1,5 +1,6 @@
 //! Columns of a log as measurements: what is left out, and what is made of a friction without sign.
 
+use super::apparatus::slopes;
 use super::data::Measurements;
 use super::error::FitError;
 use super::law::FitLaw;
@@ -19,6 +20,10 @@ pub struct FitColumns {
     pub acceleration: Option<Vec<f64>>,
     /// Loads in N.
     pub load: Option<Vec<f64>>,
+    /// Speed in m/s up to which a sample counts as at rest under laws of sliding.
+    pub rest: f64,
+    /// Whether accelerations are wanted: without a column they are slopes of the velocity.
+    pub wants_acceleration: bool,
 }
 
 /// Measurements from a log.
@@ -26,10 +31,14 @@ pub struct FitColumns {
 pub struct Prepared {
     /// The measurements.
     pub data: Measurements,
-    /// Row of each point.
-    pub rows: Vec<usize>,
+    /// Row of each point, if rows were left out.
+    pub rows: Option<Vec<usize>>,
     /// Rows at rest that were left out.
     pub resting: usize,
+    /// Rows without a load that were left out: the sample was lifted.
+    pub lifted: usize,
+    /// Share of noise in accelerations that are slopes of the velocity; 0 where they were measured.
+    pub acceleration_noise: f64,
     /// Whether friction had no sign, and was taken along the velocity.
     pub is_signed_by_velocity: bool,
 }
@@ -37,7 +46,7 @@ pub struct Prepared {
 impl FitColumns {
     /// The measurements for a law, or for all of them.
     ///
-    /// Rows at rest are left out where they say nothing of sliding friction. Friction that is nowhere negative, of a sample that
+    /// Rows at rest are left out where they say nothing of sliding friction, and rows without a load. Friction that is nowhere negative, of a sample that
     /// moves in both directions, was recorded without sign: it gets that of the velocity.
     ///
     /// ```
@@ -49,7 +58,7 @@ impl FitColumns {
     /// };
     /// let found = log.prepared(Some(FitLaw::Coulomb))?;
     /// assert_eq!((found.data.friction(), found.resting), (&[0.3, -0.3][..], 1));
-    /// assert!(found.is_signed_by_velocity && found.rows == [0, 2]);
+    /// assert!(found.is_signed_by_velocity && found.rows == Some(vec![0, 2]));
     /// # Ok::<(), tribos::fit::FitError>(())
     /// ```
     pub fn prepared(mut self, law: Option<FitLaw>) -> Result<Prepared, FitError> {
@@ -59,20 +68,29 @@ impl FitColumns {
                 *f = f.copysign(*v);
             }
         }
-        let sliding_only = self.times.is_none() || law.is_none_or(FitLaw::needs_motion);
-        let is_kept = |v: f64| v != 0.0 || !sliding_only;
-        let places = self.velocities.iter().enumerate();
-        let rows: Vec<usize> = places
-            .filter(|(_, v)| is_kept(**v))
-            .map(|(i, _)| i)
-            .collect();
-        let resting = self.velocities.len() - rows.len();
-        if resting > 0 {
-            self.keep(&rows);
+        let mut acceleration_noise = 0.0;
+        if let (true, None, Some(times)) =
+            (self.wants_acceleration, &self.acceleration, &self.times)
+        {
+            let (slopes, noise) = slopes(times, &self.velocities);
+            self.acceleration = Some(slopes);
+            acceleration_noise = noise;
         }
+        let sliding_only = self.times.is_none() || law.is_none_or(FitLaw::needs_motion);
+        let rests = |row: usize| sliding_only && self.velocities[row].abs() <= self.rest;
+        let lifts = |row: usize| self.load.as_ref().is_some_and(|load| load[row] <= 0.0);
+        let all = || 0..self.velocities.len();
+        let lifted = all().filter(|&row| lifts(row)).count();
+        let resting = all().filter(|&row| rests(row) && !lifts(row)).count();
+        let rows: Option<Vec<usize>> = (resting + lifted > 0)
+            .then(|| all().filter(|&row| !rests(row) && !lifts(row)).collect());
+        if let Some(rows) = &rows {
+            self.keep(rows);
+        }
+        let row_of = |point: usize| rows.as_ref().map_or(point, |rows| rows[point]);
         let in_log = |error| match error {
             FitError::Point { point, message } => FitError::Point {
-                point: rows.get(point).copied().unwrap_or(point),
+                point: row_of(point),
                 message,
             },
             other => other,
@@ -82,6 +100,8 @@ impl FitColumns {
             data,
             rows,
             resting,
+            lifted,
+            acceleration_noise,
             is_signed_by_velocity,
         })
     }

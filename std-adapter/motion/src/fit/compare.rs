@@ -23,8 +23,8 @@ pub struct Compared {
     /// Root mean square of the residuals, over their deviations if these are known, of points that the fit has not seen: in five parts, each
     /// foretold from the other four. NaN where that would take too long.
     pub foretold: f64,
-    /// Whether the data tell this law from the best one: foretold errors differ by more than two standard
-    /// errors between the parts, or Akaike's criterion by more than 10 where these are unknown.
+    /// Whether the data tell this law from the best one: Akaike's criterion differs by more than 10, or foretold errors by more
+    /// than two standard errors between the parts.
     pub is_told_apart: bool,
     /// Mean square of the foretold residuals of each part.
     parts: Vec<f64>,

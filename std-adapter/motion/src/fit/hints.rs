@@ -1,6 +1,6 @@
 //! What residuals say of the machine: a constant force, an inertia, a curve that the law does not have.
 
-use super::apparatus::differences;
+use super::apparatus::slopes;
 use super::caution::Caution;
 use super::data::Measurements;
 use super::residual_tests::residual_tests;
@@ -10,6 +10,8 @@ use super::result::CORRELATED;
 const BELIEVED: f64 = 5.0;
 /// Share of the residuals' squares that it must explain.
 const SHARE: f64 = 0.05;
+/// Most points whose order is looked at.
+const MOST: usize = 100_000;
 /// Points of each direction that tell an offset.
 const ENOUGH: usize = 5;
 
@@ -28,8 +30,11 @@ pub(super) fn hints(
         let ones = vec![1.0; residuals.len()];
         all.extend(explained(residuals, &ones, factor).map(|value| Caution::Offset { value }));
     }
+    if has("offset") && (of_sign(1.0) < ENOUGH || of_sign(-1.0) < ENOUGH) {
+        all.push(Caution::OneWay);
+    }
     if let (Some(times), false) = (data.times(), has("inertia")) {
-        let accelerations = differences(times, velocities);
+        let (accelerations, _) = slopes(times, velocities);
         let value = explained(residuals, &accelerations, factor);
         all.extend(value.map(|value| Caution::Inertia { value }));
     }
@@ -53,7 +58,8 @@ fn explained(residuals: &[f64], along: &[f64], factor: f64) -> Option<f64> {
 /// Whether residuals of steady sliding follow each other over the velocity.
 fn curved(data: &Measurements, residuals: &[f64]) -> Option<Caution> {
     let velocities = data.velocities();
-    let mut order: Vec<usize> = (0..residuals.len()).collect();
+    let stride = residuals.len().div_ceil(MOST);
+    let mut order: Vec<usize> = (0..residuals.len()).step_by(stride.max(1)).collect();
     order.sort_by(|&a, &b| velocities[a].total_cmp(&velocities[b]).then(a.cmp(&b)));
     let weighed: Vec<f64> = order
         .iter()

@@ -17,14 +17,23 @@ fn normal(random: &mut Random) -> f64 {
 /// Asserts that intervals hold the truth.
 fn assert_inside(fit: &Fit, truths: &[(&str, f64)]) {
     for (name, truth) in truths {
-        let found = fit.parameters.iter().find(|e| e.parameter.name == *name).unwrap();
+        let found = fit
+            .parameters
+            .iter()
+            .find(|e| e.parameter.name == *name)
+            .unwrap();
         let [low, high] = found.interval;
-        assert!(low < *truth && *truth < high, "{name}: {truth} not in {low} to {high}");
+        assert!(
+            low < *truth && *truth < high,
+            "{name}: {truth} not in {low} to {high}"
+        );
     }
 }
 
 fn found(law: FitLaw, data: &Measurements, machine: Apparatus, fixed: &[(&str, f64)]) -> Fit {
-    let fixed = fixed.iter().map(|(name, value)| ((*name).to_owned(), *value));
+    let fixed = fixed
+        .iter()
+        .map(|(name, value)| ((*name).to_owned(), *value));
     let options = FitOptions {
         fixed: fixed.collect(),
         ..FitOptions::default()
@@ -65,9 +74,19 @@ fn bristles_are_right_however_coarse_the_record_is() {
     for (points, seed) in [(1000, 1), (4000, 2)] {
         let data = joint(points, seed);
         let fit = found(FitLaw::LuGre, &data, Apparatus::default(), &[]);
-        let truth = [("fc", 15.0), ("fs", 25.0), ("vs", 0.25), ("s0", 1e6), ("s1", 25.0)];
+        let truth = [
+            ("fc", 15.0),
+            ("fs", 25.0),
+            ("vs", 0.25),
+            ("s0", 1e6),
+            ("s1", 25.0),
+        ];
         assert_inside(&fit, &truth);
-        assert!(fit.at_best >= 3 && (fit.deviation() - 0.1).abs() < 0.01, "{}", fit.deviation());
+        assert!(
+            fit.at_best >= 3 && (fit.deviation() - 0.1).abs() < 0.01,
+            "{}",
+            fit.deviation()
+        );
     }
 }
 
@@ -106,7 +125,12 @@ fn the_spring_of_the_machine_is_told_from_the_direct_effect() {
     assert_inside(&fitted, &truth);
     assert_inside(&fitted, &[("spring", 3000.0)]);
     // Taken for the slip rate, the load point gives another a, and residuals that tell.
-    let bare = found(FitLaw::RateState, &data, Apparatus::default(), &[("eta", 0.0)]);
+    let bare = found(
+        FitLaw::RateState,
+        &data,
+        Apparatus::default(),
+        &[("eta", 0.0)],
+    );
     assert!(bare.value("a").unwrap() < 0.0085, "{:?}", bare.value("a"));
     let told = |caution: &Caution| matches!(caution, Caution::Correlated { .. });
     assert!(bare.cautions.iter().any(told) && !given.cautions.iter().any(told));
@@ -116,7 +140,10 @@ fn the_spring_of_the_machine_is_told_from_the_direct_effect() {
 fn servo(seed: u64) -> Measurements {
     let mut random = Random::new(seed, 0);
     let t: Vec<f64> = (0..2000).map(|k| 0.01 * f64::from(k) + 0.003).collect();
-    let v: Vec<f64> = t.iter().map(|t| 0.8 * (2.0 * t).sin() + 0.4 * (3.1 * t).sin()).collect();
+    let v: Vec<f64> = t
+        .iter()
+        .map(|t| 0.8 * (2.0 * t).sin() + 0.4 * (3.1 * t).sin())
+        .collect();
     let force = |(t, v): (&f64, &f64)| {
         let a = 1.6 * (2.0 * t).cos() + 1.24 * (3.1 * t).cos();
         1.4 * v.signum() + 2.2 * v + 0.57 * a + 0.02 + 0.05 * normal(&mut random)
@@ -134,7 +161,10 @@ fn a_drive_is_told_from_its_friction_and_missed_where_it_is_left_out() {
         ..Apparatus::default()
     };
     let fit = found(FitLaw::Viscous, &data, machine, &[]);
-    assert_inside(&fit, &[("mu", 1.4), ("k", 2.2), ("inertia", 0.57), ("offset", 0.02)]);
+    assert_inside(
+        &fit,
+        &[("mu", 1.4), ("k", 2.2), ("inertia", 0.57), ("offset", 0.02)],
+    );
     assert!(fit.cautions.is_empty(), "{:?}", fit.cautions);
     let bare = found(FitLaw::Viscous, &data, Apparatus::default(), &[]);
     let told = |caution: &Caution| matches!(caution, Caution::Inertia { value } if (value - 0.57).abs() < 0.05);
@@ -145,7 +175,10 @@ fn a_drive_is_told_from_its_friction_and_missed_where_it_is_left_out() {
 fn laws_are_compared_and_those_that_the_data_cannot_tell_apart_are_named() {
     let mut random = Random::new(7, 0);
     let v: Vec<f64> = (1..=120).map(|k| 0.005 * f64::from(k)).collect();
-    let f = v.iter().map(|v| 0.2 + 0.4 * v + 0.002 * normal(&mut random)).collect();
+    let f = v
+        .iter()
+        .map(|v| 0.2 + 0.4 * v + 0.002 * normal(&mut random))
+        .collect();
     let data = Measurements::steady(v, f, None).unwrap();
     let options = FitOptions::default();
     let (all, left_out) = compare(&data, Apparatus::default(), &options, &mut |_, _| ());

@@ -94,7 +94,7 @@ impl FilmArguments {
                 let end = common
                     .out
                     .map(|out| format!("written to    {}\n", out.display()));
-                read.told() + &output::text(&fit, &options) + &end.unwrap_or_default()
+                read.told_text() + &output::text(&fit, &options) + &end.unwrap_or_default()
             }
         };
         crate::command::print(&text)
@@ -115,6 +115,6 @@ fn law(named: Option<FitLaw>) -> Result<TrackLaw, Failure> {
 impl read::Film {
     /// A refusal with file and line, where it is about a frame.
     fn refusal(&self, error: FitError) -> Failure {
-        read::refusal(&self.name, &self.lines, error)
+        read::refusal(&self.name, &self.lines, &self.told, error)
     }
 }

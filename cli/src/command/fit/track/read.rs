@@ -11,7 +11,7 @@ use tribos::record::{LogOptions, LogRole, read_log};
 pub struct Film {
     pub track: Track,
     /// What was understood of the file.
-    told: Vec<String>,
+    pub told: Vec<String>,
     pub name: PathBuf,
     /// Line of each frame.
     pub lines: Vec<u64>,
@@ -27,7 +27,7 @@ pub const ROLES: [LogRole; 4] = [
 
 impl Film {
     /// What was understood of the file.
-    pub fn told(&self) -> String {
+    pub fn told_text(&self) -> String {
         self.told
             .iter()
             .map(|line| format!("read          {line}\n"))
@@ -47,8 +47,8 @@ impl FilmArguments {
         let times = scaled("t", self.frame_rate.map(|rate| 1.0 / rate)).unwrap_or_default();
         let [x, y] = ["x", "y"].map(|name| scaled(name, self.scale).unwrap_or_default());
         let angle = scaled("angle", None);
-        let track =
-            Track::new(times, x, y, angle).map_err(|error| refusal(path, &log.lines, error))?;
+        let track = Track::new(times, x, y, angle)
+            .map_err(|error| refusal(path, &log.lines, &log.brief, error))?;
         Ok(Film {
             track,
             told: log.brief,

@@ -564,3 +564,13 @@ fn a_look_tells_columns_ranges_and_trouble() {
     let trouble = seen.ok().and_then(|look| look.trouble).unwrap_or_default();
     assert!(trouble.starts_with("no header line"), "{trouble}");
 }
+
+#[test]
+fn a_header_among_the_lines_that_are_left_out_still_names_the_columns() -> Result<(), String> {
+    let rows: String = (1..200).map(|k| format!("{k};{};0,3\n", 10 * k)).collect();
+    let text = format!("Versuch 7\nZeit [s];Geschwindigkeit [mm/s];Reibwert\n{rows}");
+    let log = chosen(&text, "", "", 102)?;
+    assert_eq!(log.column("t").map(|t| (t[0], t.len())), Some((101.0, 99)));
+    assert_eq!(log.column("v").map(|v| v[0]), Some(1.01));
+    Ok(())
+}

@@ -185,6 +185,11 @@ impl FitLaw {
         )
     }
 
+    /// Whether parameters are coefficients of friction, where the others are forces.
+    pub fn is_of_coefficient(self) -> bool {
+        !self.has_memory() || self.has_age()
+    }
+
     /// Whether friction depends on the age of the contact: rate and state.
     pub fn has_age(self) -> bool {
         matches!(self, Self::RateState | Self::RateStateSlip)
@@ -326,7 +331,7 @@ fn forward(velocities: &[f64]) -> Result<(), FitError> {
         .iter()
         .position(|v| *v < 0.0)
         .map_or(Ok(()), |point| {
-            let message = "rate and state knows no way back: velocities must be >= 0";
+            let message = "rate and state knows no way back: velocities must be >= 0; smooth them, or give the set speed";
             Err(refused(point, message))
         })
 }

@@ -406,7 +406,10 @@ impl Errors {
         }
         let outer = |direction: &Vec<f64>| {
             let places = inside.iter().zip(direction);
-            places.filter(|(_, d)| **d != 0.0).map(|(&k, _)| k).collect()
+            places
+                .filter(|(_, d)| **d != 0.0)
+                .map(|(&k, _)| k)
+                .collect()
         };
         Self {
             covariance,

@@ -38,7 +38,7 @@ impl Shape {
                 of("rising", &[("mu_s", *mu_s), ("mu_f", *mu_f), ("vr", *vr)])
             }
             Self::Power { gamma, alpha } => of("power", &[("gamma", *gamma), ("alpha", *alpha)]),
-            Self::SteadyLuGre(joint) => of(
+            Self::SteadyLuGre(joint) | Self::LuGre(joint) => of(
                 "lugre",
                 &[
                     ("fc", joint.coulomb_force),
@@ -47,7 +47,7 @@ impl Shape {
                     ("s2", joint.viscous_damping),
                 ],
             ),
-            Self::SteadyRateState(rock) => of(
+            Self::SteadyRateState(rock) | Self::RateState { rock, .. } => of(
                 "rate-state",
                 &[
                     ("mu0", rock.mu),
