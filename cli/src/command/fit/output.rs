@@ -54,6 +54,7 @@ impl Report<'_> {
         let unit = self.unit(parameter);
         let interval = match &estimate.known {
             Uncertainty::Fixed | Uncertainty::Undetermined(_) => String::new(),
+            _ if estimate.interval.iter().all(|end| end.is_infinite()) => String::new(),
             _ => interval(estimate.interval),
         };
         format!(
@@ -296,10 +297,11 @@ fn interval([low, high]: [f64; 2]) -> String {
 
 /// A value for people, with four digits.
 pub fn shown_value(x: f64) -> String {
-    if x.is_finite() {
-        significant(x, 4)
-    } else {
-        "?".into()
+    match x {
+        x if x.is_finite() => significant(x, 4),
+        x if x.is_nan() => "?".into(),
+        x if x > 0.0 => "∞".into(),
+        _ => "-∞".into(),
     }
 }
 

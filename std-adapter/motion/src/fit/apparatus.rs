@@ -52,6 +52,8 @@ pub(super) struct Mounted<'a> {
     load: Option<Cow<'a, [f64]>>,
     acceleration: Option<Cow<'a, [f64]>>,
     has_offset: bool,
+    /// Number of points.
+    count: usize,
 }
 
 impl<'a> Mounted<'a> {
@@ -83,12 +85,34 @@ impl<'a> Mounted<'a> {
             load: data.load().map(Cow::Borrowed),
             acceleration,
             has_offset: apparatus.offset,
+            count: data.friction().len(),
         }))
     }
 
     /// Number of the law's own parameters.
     fn own(&self) -> usize {
         self.law.parameters().len()
+    }
+
+    /// The force that the machine adds at each point, if it adds any.
+    fn machine(&self, values: &[f64]) -> Option<Option<Vec<f64>>> {
+        let inertial = match &self.acceleration {
+            None => None,
+            Some(acceleration) => {
+                let inertia = values.first()?;
+                Some(acceleration.iter().map(|a| inertia * a).collect())
+            }
+        };
+        if !self.has_offset {
+            return Some(inertial);
+        }
+        let offset = values.last()?;
+        let count = self.count;
+        let mut force: Vec<f64> = inertial.unwrap_or_else(|| vec![0.0; count]);
+        for f in &mut force {
+            *f += offset;
+        }
+        Some(Some(force))
     }
 
     fn around<'b>(&'b self, law: Box<dyn Model + 'b>) -> Mounted<'b> {
@@ -98,6 +122,7 @@ impl<'a> Mounted<'a> {
             load: self.load.as_deref().map(Cow::Borrowed),
             acceleration: self.acceleration.as_deref().map(Cow::Borrowed),
             has_offset: self.has_offset,
+            count: self.count,
         }
     }
 }
@@ -165,24 +190,26 @@ impl Model for Mounted<'_> {
     }
 
     fn predict(&self, values: &[f64]) -> Option<Vec<f64>> {
-        let (own, mut more) = values.split_at_checked(self.own())?;
-        let mut force = self.law.predict(own)?;
-        if let Some(load) = &self.load {
-            for (f, load) in force.iter_mut().zip(load.iter()) {
+        let (own, more) = values.split_at_checked(self.own())?;
+        let machine = self.machine(more)?;
+        let load = self.load.as_deref();
+        let mut force = match (&machine, load) {
+            (Some(machine), Some(load)) => {
+                let beside = machine.iter().zip(load).map(|(f, load)| f / load);
+                self.law
+                    .predict_beside(own, &beside.collect::<Vec<f64>>())?
+            }
+            (Some(machine), None) => self.law.predict_beside(own, machine)?,
+            (None, _) => self.law.predict(own)?,
+        };
+        if let Some(load) = load {
+            for (f, load) in force.iter_mut().zip(load) {
                 *f *= load;
             }
         }
-        if let Some(acceleration) = &self.acceleration {
-            let (inertia, rest) = more.split_first()?;
-            for (f, a) in force.iter_mut().zip(acceleration.iter()) {
-                *f += inertia * a;
-            }
-            more = rest;
-        }
-        if self.has_offset {
-            let offset = more.first()?;
-            for f in &mut force {
-                *f += offset;
+        if let Some(machine) = &machine {
+            for (f, machine) in force.iter_mut().zip(machine) {
+                *f += machine;
             }
         }
         Some(force)
@@ -196,6 +223,12 @@ impl Model for Mounted<'_> {
 
     fn is_linear(&self, parameter: usize) -> bool {
         parameter >= self.own() || self.law.is_linear(parameter)
+    }
+
+    fn put_in_order(&self, values: &mut [f64]) {
+        if let Some(own) = values.get_mut(..self.own()) {
+            self.law.put_in_order(own);
+        }
     }
 
     fn above(&self, parameter: usize) -> Option<usize> {
@@ -217,6 +250,7 @@ impl Model for Mounted<'_> {
         Some(Box::new(Mounted {
             load: self.load.as_deref().map(of),
             acceleration: self.acceleration.as_deref().map(of),
+            count: points.len(),
             ..self.around(law)
         }))
     }

@@ -163,9 +163,10 @@ pub fn fit_watched(
         watch: &watch,
     };
     let mut minima = found.minima.clone();
-    for _ in 0..MOST_RETURNS {
+    for returns in 0..=MOST_RETURNS {
         let refined = paths.refine(minima);
-        let result = Certified::of(&paths, &found, refined)?;
+        let is_last = returns == MOST_RETURNS;
+        let result = Certified::of(&paths, &found, refined, is_last)?;
         match result {
             Certified::Fit(fit) => return Ok(*fit),
             Certified::Lower(start) => minima = vec![(start, 1)],

@@ -2,8 +2,10 @@
 //! refuse it.
 
 use super::estimate::Uncertainty;
-use super::jacobian::DifferenceScale;
-use super::minimise::minimise;
+use super::jacobian::{DifferenceScale, Order};
+use super::linearised::Linearised;
+use super::minimise::{Problem, minimise};
+use super::reduce::reduced;
 use super::sample::WeightedData;
 use super::search::problem;
 use super::unknowns::Unknowns;
@@ -19,8 +21,12 @@ const MOST: usize = 8;
 const GROWTH: f64 = 4.0;
 /// Relative offset at which a minimisation on the profile ends.
 const OFFSET: f64 = 1e-4;
-/// Decrease of the sum of squares that is another minimum, relative to it.
-const LOWER: f64 = 1e-6;
+/// Decrease of the sum of squares that is another minimum, in variances.
+const LOWER: f64 = 0.02;
+/// Most steps with the slopes at the minimum, before slopes are taken anew.
+const MOST_STEPS: usize = 8;
+/// Decrease of the sum of squares that a step may still promise, in variances.
+const PROMISED: f64 = 0.01;
 /// First distance of a parameter at its bound, in its natural size.
 const STEP: f64 = 0.1;
 
@@ -145,17 +151,19 @@ impl Profile<'_> {
             _ => STEP * at.abs().max(self.natural(parameter)),
         };
         let mut others = self.values.to_vec();
+        let slopes = self.slopes(parameter);
         for _ in 0..MOST {
             let place = (at + side * reach).max(low).min(high);
             if place == at {
                 return Ok(value);
             }
             let moved = range.value(place);
-            let Some((cost, found)) = self.at(parameter, moved, &others) else {
+            let Some((cost, found)) = self.at((parameter, moved), &others, slopes.as_ref()) else {
                 reach *= 0.5;
                 continue;
             };
-            if cost < self.cost * (1.0 - LOWER) - self.target.floor() {
+            let lower = LOWER * self.deviation * self.deviation;
+            if cost < self.cost - lower - self.target.floor() {
                 return Err(found);
             }
             let rise = (cost - self.cost).max(0.0).sqrt() / self.deviation;
@@ -197,7 +205,12 @@ impl Profile<'_> {
     }
 
     /// The least sum of squares with one parameter kept, and the values there.
-    fn at(&self, parameter: usize, value: f64, others: &[f64]) -> Option<(f64, Vec<f64>)> {
+    fn at(
+        &self,
+        (parameter, value): (usize, f64),
+        others: &[f64],
+        slopes: Option<&Linearised>,
+    ) -> Option<(f64, Vec<f64>)> {
         let unknowns = self.unknowns.keeping(parameter, value);
         if unknowns.sought.is_empty() {
             let mut values = others.to_vec();
@@ -205,16 +218,85 @@ impl Profile<'_> {
             let residuals = self.target.residuals_of(unknowns.model, &values)?;
             return Some((residuals.iter().map(|r| r * r).sum(), values));
         }
+        let residuals = |q: &[f64]| self.target.residuals(&unknowns, q);
+        let problem = self.problem(parameter, &unknowns, &residuals);
+        let mut start = others.to_vec();
+        start[parameter] = value;
+        let q = unknowns.coordinates(&start);
+        let (cost, q) = match slopes.and_then(|slopes| self.nearby(&problem, slopes, &q)) {
+            Some(found) => found,
+            None => {
+                let end = minimise(&problem, &q, &mut |_| ())?;
+                (end.cost, end.q)
+            }
+        };
+        Some((cost, unknowns.values(&q)))
+    }
+
+    /// The problem of the other parameters.
+    fn problem<'b>(
+        &self,
+        parameter: usize,
+        unknowns: &Unknowns<'_>,
+        residuals: &'b super::jacobian::Residuals<'b>,
+    ) -> Problem<'b> {
         let places = self.unknowns.sought.iter().enumerate();
         let lengths = places.filter(|(_, j)| **j != parameter);
         let lengths: Vec<_> = lengths.map(|(k, _)| self.lengths[k]).collect();
-        let residuals = |q: &[f64]| self.target.residuals(&unknowns, q);
-        let mut problem = problem(&residuals, &unknowns, self.target, &lengths);
+        let mut problem = problem(residuals, unknowns, self.target, &lengths);
         problem.offset = OFFSET;
-        let mut start = others.to_vec();
-        start[parameter] = value;
-        let end = minimise(&problem, &unknowns.coordinates(&start), &mut |_| ())?;
-        Some((end.cost, unknowns.values(&end.q)))
+        problem
+    }
+
+    /// Slopes of the other parameters at the minimum, if none of them is at a bound.
+    fn slopes(&self, parameter: usize) -> Option<Linearised> {
+        let unknowns = self.unknowns.keeping(parameter, self.values[parameter]);
+        if unknowns.sought.is_empty() {
+            return None;
+        }
+        let residuals = |q: &[f64]| self.target.residuals(&unknowns, q);
+        let problem = self.problem(parameter, &unknowns, &residuals);
+        let q = unknowns.coordinates(self.values);
+        let slopes = Linearised::at(&problem, &q, Order::Second)?;
+        (slopes.free.len() == q.len()).then_some(slopes)
+    }
+
+    /// Least sum of squares near the minimum, by Gauss–Newton steps with the slopes there; `None` where these lead
+    /// astray or to a bound.
+    fn nearby(
+        &self,
+        problem: &Problem<'_>,
+        slopes: &Linearised,
+        start: &[f64],
+    ) -> Option<(f64, Vec<f64>)> {
+        /// Singular value over the largest of a combination that stays as it is.
+        const FLAT: f64 = 1e-7;
+        let mut q = start.to_vec();
+        let mut last = f64::INFINITY;
+        for _ in 0..MOST_STEPS {
+            let is_inside = |(x, [low, high]): (&f64, &[f64; 2])| low < x && x < high;
+            if !q.iter().zip(&problem.bounds).all(is_inside) {
+                return None;
+            }
+            let residuals = (problem.residuals)(&q)?;
+            let cost: f64 = residuals.iter().map(|r| r * r).sum();
+            if cost.is_nan() || cost >= last {
+                return None;
+            }
+            let system = reduced(&slopes.jacobian, &slopes.free, &residuals);
+            let promised = system.turned.norm_squared();
+            if promised <= PROMISED * self.deviation * self.deviation {
+                return Some((cost, q));
+            }
+            let svd = system.triangle.svd(true, true);
+            let most = svd.singular_values.iter().copied().fold(0.0, f64::max);
+            let step = svd.solve(&system.turned, FLAT * most).ok()?;
+            for ((x, step), norm) in q.iter_mut().zip(step.iter()).zip(&system.norms) {
+                *x -= step / norm;
+            }
+            last = cost;
+        }
+        None
     }
 }
 

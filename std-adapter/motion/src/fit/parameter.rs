@@ -75,6 +75,12 @@ pub trait Model: Send + Sync {
     /// One prediction per point; `None` if the law refuses the values.
     fn predict(&self, values: &[f64]) -> Option<Vec<f64>>;
 
+    /// The same where each measured friction contains a part that is not the law's, from which a state that is
+    /// sought in the measurement must be freed; empty if there is none.
+    fn predict_beside(&self, values: &[f64], _beside: &[f64]) -> Option<Vec<f64>> {
+        self.predict(values)
+    }
+
     /// Initial values for a point of the unit cube with one coordinate per parameter; the middle is the best guess.
     fn start(&self, unit: &[f64]) -> Vec<f64>;
 
@@ -83,6 +89,9 @@ pub trait Model: Send + Sync {
     fn is_linear(&self, _parameter: usize) -> bool {
         false
     }
+
+    /// Puts the values of parts that are alike, and may change places, in their order.
+    fn put_in_order(&self, _values: &mut [f64]) {}
 
     /// The parameter that this one must not be below.
     fn above(&self, _parameter: usize) -> Option<usize> {

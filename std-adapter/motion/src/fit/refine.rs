@@ -3,7 +3,7 @@
 use super::Measurements;
 use super::jacobian::{DifferenceScale, Order};
 use super::linearised::Linearised;
-use super::minimise::Minimum;
+use super::minimise::{Minimum, OFFSET};
 use super::parameter::{Between, Course, Model};
 use super::sample::WeightedData;
 use super::search::{Watch, descents, problem};
@@ -12,7 +12,16 @@ use super::unknowns::Unknowns;
 /// Change of a parameter, in standard errors, that more steps may still make.
 const AGREE: f64 = 0.1;
 /// Change, in standard errors, by another course of the velocity that is told.
-const TOLD: f64 = 1.0;
+const TOLD: f64 = 0.5;
+/// Difference of the sums of squares, in variances, beyond which the data refute the worse course.
+const REFUTED: f64 = 10.0;
+/// Share of the change by a refuted course that the better one may still miss.
+const MISSED: f64 = 0.1;
+/// Share of a jump's displacement that a ramp between two points may hide.
+const HIDDEN: f64 = 0.5;
+/// Change of the velocity between two points that is abrupt: over the largest velocity, and that of a neighbour
+/// over it.
+const ABRUPT: [f64; 2] = [0.1, 0.25];
 /// Change of a parameter, over the parameter, that is rounding.
 const NOTHING: f64 = 1e-4;
 /// Factor from one number of steps to the next: errors shrink by its square.
@@ -35,6 +44,17 @@ pub(super) struct Shift {
     pub change: f64,
     /// The same over the standard error.
     pub errors: f64,
+}
+
+impl Shift {
+    /// A share of it.
+    fn part(self, share: f64) -> Self {
+        Self {
+            change: share * self.change,
+            errors: share * self.errors,
+            ..self
+        }
+    }
 }
 
 /// The minima on the chosen path.
@@ -86,13 +106,40 @@ impl<'a> Paths<'a, '_> {
             return found;
         }
         self.more_steps(&mut found);
+        self.choose_course(&mut found);
+        found
+    }
+
+    /// Takes the course between the points, straight or smooth, that suits the data better, and tells what another one
+    /// would change.
+    fn choose_course(&self, found: &mut Refined<'a>) {
         let smooth = Between {
             steps: found.path.steps.max(MORE),
             course: Course::Smooth,
         };
-        let counts = |shift: &Shift| shift.errors > TOLD;
-        found.by_course = self.shift(&found, smooth).filter(counts);
-        found
+        let mut told = self.shift(found, smooth);
+        if told.is_some()
+            && let Some(mut other) = self.on(smooth, &found.minima)
+        {
+            if cost(&other.minima) < cost(&found.minima) {
+                std::mem::swap(found, &mut other);
+                self.more_steps(found);
+            }
+            let freedoms = self.data.friction().len() - self.unknowns.sought.len();
+            let variance = cost(&found.minima) / freedoms as f64;
+            if cost(&other.minima) - cost(&found.minima) > REFUTED * variance {
+                told = told.map(|shift| shift.part(MISSED));
+            }
+        }
+        let mut counts: Vec<Shift> = told.into_iter().collect();
+        if has_abrupt(self.data.velocities()) {
+            for course in [Course::JumpsAtOnce, Course::JumpsLate] {
+                let jumps = self.shift(found, Between { steps: 1, course });
+                counts.extend(jumps.map(|shift| shift.part(HIDDEN)));
+            }
+        }
+        let counts = counts.into_iter().filter(|shift| shift.errors > TOLD);
+        found.by_course = counts.max_by(|a, b| a.errors.total_cmp(&b.errors));
     }
 
     /// Takes more steps until they no longer count.
@@ -119,7 +166,13 @@ impl<'a> Paths<'a, '_> {
         let model = self.model.along(path)?;
         let unknowns = self.unknowns.with(model.as_ref());
         let places: Vec<Vec<f64>> = from.iter().map(|(end, _)| end.q.clone()).collect();
-        let ends = descents(&unknowns, self.target, self.lengths, &places, self.watch);
+        let ends = descents(
+            &unknowns,
+            (self.target, OFFSET),
+            self.lengths,
+            &places,
+            self.watch,
+        );
         let counted = ends.into_iter().zip(from);
         let mut minima: Vec<_> = counted
             .filter_map(|(end, (_, count))| Some((end?, *count)))
@@ -186,4 +239,20 @@ fn is_stepped(velocities: &[f64]) -> bool {
     });
     let jumps = velocities.windows(2).any(|pair| change(pair) >= jump);
     jumps && stays.count() as f64 >= STEADY * (velocities.len() - 1) as f64
+}
+
+/// Whether the velocity changes much between two points, but little before or after.
+fn has_abrupt(velocities: &[f64]) -> bool {
+    let [much, little] = ABRUPT;
+    let largest = velocities
+        .iter()
+        .fold(0.0, |most: f64, v| v.abs().max(most));
+    let change = |a: f64, b: f64| (b - a).abs();
+    velocities.windows(4).any(|v| match *v {
+        [a, b, c, d] => {
+            let size = change(b, c);
+            size >= much * largest && change(a, b).min(change(c, d)) < little * size
+        }
+        _ => false,
+    })
 }

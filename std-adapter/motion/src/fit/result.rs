@@ -28,11 +28,12 @@ pub(super) enum Certified {
 }
 
 impl Certified {
-    /// The best of the refined minima with its certainty.
+    /// The best of the refined minima with its certainty; the last one is not searched on.
     pub fn of(
         paths: &Paths<'_, '_>,
         search: &Search,
         refined: Refined<'_>,
+        is_last: bool,
     ) -> Result<Self, FitError> {
         let model = refined.model.as_deref().unwrap_or(paths.model);
         let unknowns = paths.unknowns.with(model);
@@ -69,6 +70,7 @@ impl Certified {
         } else {
             match profile.intervals(&certain.known) {
                 Profiled::Intervals(intervals) => intervals,
+                Profiled::Lower(_) if is_last => profile.linear(&certain.known),
                 Profiled::Lower(lower) => {
                     return Ok(Self::Lower(Minimum {
                         q: unknowns.coordinates(&lower),
@@ -82,7 +84,7 @@ impl Certified {
             parameter: *parameter,
             value: values[j],
             known: certain.known[j].clone(),
-            interval: intervals[j],
+            interval: intervals[j].map(unbounded),
         });
         let nothing = || vec![f64::NAN; at.residuals.len()];
         let mut fit = Fit {
@@ -114,6 +116,17 @@ impl Certified {
         all.extend(hints(data, &left, factor, has));
         fit.cautions = all;
         Ok(Self::Fit(Box::new(fit)))
+    }
+}
+
+/// An end of an interval at the ends of the numbers that a search may try: the data do not bound it there.
+fn unbounded(end: f64) -> f64 {
+    /// Logarithms of positive parameters go to ±700.
+    const MOST: f64 = 1e290;
+    match end {
+        x if x.abs() > MOST => f64::INFINITY.copysign(x),
+        x if x.abs() < 1.0 / MOST => 0.0,
+        x => x,
     }
 }
 

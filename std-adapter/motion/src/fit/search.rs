@@ -46,6 +46,8 @@ const MOST_REFINED: usize = 3;
 const ALIKE: f64 = 25.0;
 /// Searches that must agree before no more are begun, if there are at least as many.
 const ENOUGH: usize = 3;
+/// Relative offset at which the search from a start ends: its sum of squares is then known to the square of this.
+const ROUGH: f64 = 1e-4;
 /// Factor by which the number of starts may grow.
 const MOST_MORE: usize = 8;
 
@@ -89,15 +91,14 @@ pub(super) fn search(
     }
     ends.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     let found = ends.len();
-    let mut candidates = distinct(ends, floor, freedoms);
-    if thinned.is_some() {
-        let places: Vec<Vec<f64>> = candidates.iter().map(|(end, _)| end.q.clone()).collect();
-        let refined = descents(unknowns, target, &lengths, &places, watch);
-        let counted = refined.into_iter().zip(&candidates);
-        let counted = counted.filter_map(|(end, (_, count))| Some((end?, *count)));
-        candidates = counted.collect();
-        candidates.sort_by(|(a, _), (b, _)| a.cost.total_cmp(&b.cost));
-    }
+    let candidates = distinct(ends, floor, freedoms);
+    let places = candidates.iter().map(|(end, _)| unknowns.in_order(&end.q));
+    let places: Vec<Vec<f64>> = places.collect();
+    let refined = descents(unknowns, (target, OFFSET), &lengths, &places, watch);
+    let counted = refined.into_iter().zip(&candidates);
+    let counted = counted.filter_map(|(end, (_, count))| Some((end?, *count)));
+    let mut candidates: Vec<_> = counted.collect();
+    candidates.sort_by(|(a, _), (b, _)| a.cost.total_cmp(&b.cost));
     if candidates.is_empty() {
         return Err(FitError::NoStart);
     }
@@ -146,20 +147,21 @@ fn minima(
         .iter()
         .map(|start| improved(unknowns, target, start))
         .collect();
-    let ends = descents(unknowns, target, lengths, &places, watch);
+    let ends = descents(unknowns, (target, ROUGH), lengths, &places, watch);
     ends.into_iter().flatten().collect()
 }
 
-/// The end of a search from each place.
+/// The end of a search from each place at a relative offset.
 pub(super) fn descents(
     unknowns: &Unknowns<'_>,
-    target: &WeightedData,
+    (target, offset): (&WeightedData, f64),
     lengths: &[DifferenceScale],
     places: &[Vec<f64>],
     watch: &Watch<'_>,
 ) -> Vec<Option<Minimum>> {
     let residuals = |q: &[f64]| target.residuals(unknowns, q);
-    let problem = problem(&residuals, unknowns, target, lengths);
+    let mut problem = problem(&residuals, unknowns, target, lengths);
+    problem.offset = offset;
     let descent = |index: usize| {
         let mut step = |steps| {
             watch(FitProgress {

@@ -78,6 +78,18 @@ impl<'a> Unknowns<'a> {
         coordinates.collect()
     }
 
+    /// The coordinates with parts of the model that are alike in their order, if none of them is fixed.
+    pub fn in_order(&self, q: &[f64]) -> Vec<f64> {
+        let mut values = self.values(q);
+        self.model.put_in_order(&mut values);
+        let mut fixed = self.fixed.iter().zip(&values);
+        if fixed.all(|(fixed, value)| fixed.is_none_or(|fixed| fixed == *value)) {
+            self.coordinates(&values)
+        } else {
+            q.to_vec()
+        }
+    }
+
     /// Bounds of the coordinates.
     pub fn bounds(&self) -> Vec<[f64; 2]> {
         let sought = self.sought.iter();

@@ -58,6 +58,7 @@ impl Memory for LuGre<f64> {
         start: |guess, unit| joint(guess, unit).to_vec(),
     };
     const FORGETS: bool = true;
+    const IS_LINEAR: bool = true;
     type State = Bristle<f64>;
 
     fn new(values: &[f64]) -> Option<Self> {
@@ -92,6 +93,12 @@ impl Memory for LuGre<f64> {
         }
     }
 
+    fn shifted(&self, state: Bristle<f64>, share: f64, _: f64) -> Bristle<f64> {
+        let most = self.largest_deflection();
+        let deflection = (state.deflection + share * most).max(-most).min(most);
+        Bristle { deflection }
+    }
+
     fn advance(&self, state: Bristle<f64>, velocity: f64, dt: f64) -> Bristle<f64> {
         self.step(state, velocity, dt).0
     }
@@ -120,6 +127,7 @@ impl Memory for Dahl {
         },
     };
     const FORGETS: bool = true;
+    const IS_LINEAR: bool = true;
     type State = Bristle<f64>;
 
     // LuGre without damping and without a Stribeck curve.
@@ -141,6 +149,10 @@ impl Memory for Dahl {
 
     fn first(&self, velocity: f64, friction: f64) -> Bristle<f64> {
         Memory::first(&self.0, velocity, friction)
+    }
+
+    fn shifted(&self, state: Bristle<f64>, share: f64, v: f64) -> Bristle<f64> {
+        self.0.shifted(state, share, v)
     }
 
     fn advance(&self, state: Bristle<f64>, velocity: f64, dt: f64) -> Bristle<f64> {
@@ -166,14 +178,8 @@ pub(super) struct ElastoPlastic {
 }
 
 impl ElastoPlastic {
-    /// α
-    fn yielding(&self, deflection: f64, velocity: f64) -> f64 {
-        if deflection * velocity <= 0.0 {
-            return 0.0;
-        }
-        let p = self.law.parameters();
-        let most = self.law.steady_bristle_force(velocity) / p.stiffness;
-        let bent = deflection.abs() / most;
+    /// α, of the deflection in the direction of the motion over its largest value.
+    fn yielding(&self, bent: f64) -> f64 {
         if bent <= self.share {
             0.0
         } else if bent >= 1.0 {
@@ -185,16 +191,22 @@ impl ElastoPlastic {
         }
     }
 
-    fn rate(&self, deflection: f64, velocity: f64) -> f64 {
-        let p = self.law.parameters();
-        let limit = self.law.steady_bristle_force(velocity);
-        let bent = p.stiffness * deflection * velocity.signum() / limit;
-        velocity * (1.0 - self.yielding(deflection, velocity) * bent)
+    /// The largest deflection at a velocity.
+    fn most(&self, velocity: f64) -> f64 {
+        self.law.steady_bristle_force(velocity) / self.law.parameters().stiffness
+    }
+
+    /// z' where the largest deflection is `most`.
+    fn rate(&self, deflection: f64, velocity: f64, most: f64) -> f64 {
+        let bent = deflection * velocity.signum() / most;
+        velocity * (1.0 - self.yielding(bent) * bent)
     }
 }
 
 /// Largest change of the deflection in one step, over its largest value.
 const BEND: f64 = 0.05;
+/// Change of the deflection in one step, over its largest value, that is steady sliding.
+const STEADY: f64 = 1e-13;
 /// Most steps at one velocity.
 const MOST_STEPS: f64 = 400.0;
 
@@ -239,9 +251,13 @@ impl Memory for ElastoPlastic {
         Memory::first(&self.law, velocity, friction).deflection
     }
 
+    fn shifted(&self, deflection: f64, share: f64, velocity: f64) -> f64 {
+        let state = Bristle { deflection };
+        self.law.shifted(state, share, velocity).deflection
+    }
+
     fn advance(&self, deflection: f64, velocity: f64, dt: f64) -> f64 {
-        let p = self.law.parameters();
-        let most = self.law.steady_bristle_force(velocity) / p.stiffness;
+        let most = self.most(velocity);
         let slid = velocity.abs() * dt;
         // Long slides end in steady sliding; short ones take midpoint steps.
         let needed = (slid / (BEND * most)).ceil();
@@ -249,8 +265,12 @@ impl Memory for ElastoPlastic {
         let step = dt * (needed.min(MOST_STEPS) / needed.max(1.0)) / steps;
         let mut z = deflection;
         for _ in 0..steps as u32 {
-            let middle = z + 0.5 * step * self.rate(z, velocity);
-            z += step * self.rate(middle, velocity);
+            let before = z;
+            let middle = z + 0.5 * step * self.rate(z, velocity, most);
+            z += step * self.rate(middle, velocity, most);
+            if (z - before).abs() <= STEADY * most {
+                break;
+            }
         }
         z.max(-most).min(most)
     }
@@ -258,7 +278,7 @@ impl Memory for ElastoPlastic {
     fn friction(&self, deflection: f64, velocity: f64) -> f64 {
         let p = self.law.parameters();
         p.stiffness * deflection
-            + p.bristle_damping * self.rate(deflection, velocity)
+            + p.bristle_damping * self.rate(deflection, velocity, self.most(velocity))
             + p.viscous_damping * velocity
     }
 }

@@ -39,6 +39,12 @@ impl Memory for ElasticPlastic {
         friction.max(-self.limit).min(self.limit)
     }
 
+    fn shifted(&self, force: f64, share: f64, _: f64) -> f64 {
+        (force + share * self.limit)
+            .max(-self.limit)
+            .min(self.limit)
+    }
+
     fn advance(&self, force: f64, velocity: f64, dt: f64) -> f64 {
         let moved = force + self.stiffness * velocity * dt;
         moved.max(-self.limit).min(self.limit)
@@ -114,9 +120,22 @@ impl Memory for Maxwell {
         Some(Self([spring()?, spring()?, spring()?]))
     }
 
+    /// Springs by the deflection at which they yield.
+    fn put_in_order(values: &mut [f64]) {
+        let mut springs: Vec<[f64; 2]> = values.as_chunks().0.to_vec();
+        springs.sort_by(|[k, f], [l, g]| (f / k).total_cmp(&(g / l)));
+        for (value, sorted) in values.iter_mut().zip(springs.as_flattened()) {
+            *value = *sorted;
+        }
+    }
+
     fn first(&self, velocity: f64, friction: f64) -> Self::State {
         let whole: f64 = self.0.iter().map(|spring| spring.limit).sum();
         std::array::from_fn(|k| self.0[k].first(velocity, friction * self.0[k].limit / whole))
+    }
+
+    fn shifted(&self, forces: Self::State, share: f64, velocity: f64) -> Self::State {
+        std::array::from_fn(|k| self.0[k].shifted(forces[k], share, velocity))
     }
 
     fn advance(&self, forces: Self::State, velocity: f64, dt: f64) -> Self::State {

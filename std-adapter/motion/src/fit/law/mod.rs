@@ -1,5 +1,6 @@
 //! Laws of friction as models of data: the kernel's own, and those of the trades beside them.
 
+mod beginning;
 mod bristles;
 mod course;
 mod curves;

@@ -23,6 +23,8 @@ pub(super) const PARAMETERS: &[FitParameter] = &[
     parameter("eta", "s/m", "viscous term", Range::NotNegative),
     parameter("dc", "m", "memory length", Range::Positive),
 ];
+/// Largest change of an age in one step of its search, in e-folds.
+const MOST_FOLDS: f64 = 3.0;
 /// The first five describe steady sliding.
 const STEADY: usize = 5;
 
@@ -91,6 +93,7 @@ impl<E: StateEvolution + Send + Sync + 'static> Memory for RateState<f64, E> {
         start,
     };
     const FORGETS: bool = false;
+    const BEGINS_STEADY: bool = true;
     type State = StateVariable<f64>;
 
     fn new(values: &[f64]) -> Option<Self> {
@@ -99,6 +102,12 @@ impl<E: StateEvolution + Send + Sync + 'static> Memory for RateState<f64, E> {
 
     fn first(&self, velocity: f64, _: f64) -> StateVariable<f64> {
         self.steady_age(velocity)
+    }
+
+    // By e-folds.
+    fn shifted(&self, state: StateVariable<f64>, share: f64, _: f64) -> StateVariable<f64> {
+        let theta = state.theta * libm::exp(share.max(-MOST_FOLDS).min(MOST_FOLDS));
+        StateVariable { theta }
     }
 
     fn advance(&self, state: StateVariable<f64>, velocity: f64, dt: f64) -> StateVariable<f64> {

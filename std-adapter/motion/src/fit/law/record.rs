@@ -2,6 +2,7 @@
 
 use super::super::Measurements;
 use super::super::parameter::{Between, FitParameter, Model};
+use super::beginning::{Stretch, beginnings};
 use super::course::{Interval, merged, velocity_steps};
 use super::form::Form;
 use super::guess::Guess;
@@ -14,14 +15,24 @@ pub(super) trait Memory: Sized + Send + Sync + 'static {
     const FORM: Form;
     /// Whether the state is soon forgotten: then pieces of a record serve as a sample of it.
     const FORGETS: bool;
+    /// Whether friction is linear in its first state.
+    const IS_LINEAR: bool = false;
+    /// Whether a record begins in the state of [`Memory::first`], rather than in one that is sought.
+    const BEGINS_STEADY: bool = false;
     /// What the law remembers.
-    type State: Copy;
+    type State: Copy + PartialEq;
 
     /// The law with these values; `None` where it refuses them.
     fn new(values: &[f64]) -> Option<Self>;
 
-    /// The state at a point with this velocity and measured friction, from which a record begins.
+    /// Puts the values of parts that are alike in their order.
+    fn put_in_order(_values: &mut [f64]) {}
+
+    /// The state at a point with this velocity and measured friction, roughly.
     fn first(&self, velocity: f64, friction: f64) -> Self::State;
+
+    /// The state changed by a share of its largest value, as far as the law admits.
+    fn shifted(&self, state: Self::State, share: f64, velocity: f64) -> Self::State;
 
     /// The state after the time `dt` at a constant velocity.
     fn advance(&self, state: Self::State, velocity: f64, dt: f64) -> Self::State;
@@ -34,8 +45,10 @@ pub(super) trait Memory: Sized + Send + Sync + 'static {
 pub(super) struct Record<'a, M> {
     times: Cow<'a, [f64]>,
     velocities: Cow<'a, [f64]>,
-    /// Points where the state is made anew, the first among them, with the friction measured there.
-    beginnings: Vec<(usize, f64)>,
+    /// Friction as it was measured, per load.
+    measured: Cow<'a, [f64]>,
+    /// Points where the state begins anew, the first among them.
+    beginnings: Vec<usize>,
     /// Means of a sample of points that are far apart.
     means: Option<Vec<Interval>>,
     path: Between,
@@ -49,7 +62,11 @@ impl<'a, M: Memory> Record<'a, M> {
         Self {
             times: Cow::Borrowed(times),
             velocities: Cow::Borrowed(data.velocities()),
-            beginnings: vec![(0, data.per_load(0))],
+            measured: match data.load() {
+                None => Cow::Borrowed(data.friction()),
+                Some(_) => (0..times.len()).map(|i| data.per_load(i)).collect(),
+            },
+            beginnings: beginnings(times),
             means: None,
             path: Between::PLAIN,
             guess: Guess::of(data),
@@ -85,17 +102,34 @@ impl<M: Memory> Model for Record<'_, M> {
     }
 
     fn predict(&self, values: &[f64]) -> Option<Vec<f64>> {
+        self.predict_beside(values, &[])
+    }
+
+    fn predict_beside(&self, values: &[f64], beside: &[f64]) -> Option<Vec<f64>> {
         let law = M::new(values)?;
-        let mut beginnings = self.beginnings.iter().peekable();
-        let &(_, first) = *beginnings.peek()?;
-        let mut state = law.first(*self.velocities.first()?, first);
-        let mut friction = Vec::with_capacity(self.velocities.len());
-        for (point, &velocity) in self.velocities.iter().enumerate() {
-            match beginnings.next_if(|(begins, _)| *begins == point) {
-                Some(&(_, measured)) => state = law.first(velocity, measured),
-                None => state = self.advance(&law, state, point),
+        let count = self.velocities.len();
+        let advance = |state: M::State, point: usize| self.advance(&law, state, point);
+        let mut friction = Vec::with_capacity(count);
+        let ends = self.beginnings.iter().skip(1).copied().chain([count]);
+        for (&begin, end) in self.beginnings.iter().zip(ends) {
+            let stretch = Stretch {
+                law: &law,
+                velocities: &self.velocities,
+                measured: &self.measured,
+                beside,
+                points: [begin, end],
+            };
+            let mut state = if begin == 0 && M::BEGINS_STEADY {
+                law.first(self.velocities[0], self.measured[0])
+            } else {
+                stretch.state(&advance)
+            };
+            for point in begin..end {
+                if point > begin {
+                    state = advance(state, point);
+                }
+                friction.push(law.friction(state, self.velocities[point]));
             }
-            friction.push(law.friction(state, velocity));
         }
         Some(friction)
     }
@@ -108,6 +142,10 @@ impl<M: Memory> Model for Record<'_, M> {
         M::FORM.is_linear(parameter)
     }
 
+    fn put_in_order(&self, values: &mut [f64]) {
+        M::put_in_order(values);
+    }
+
     fn above(&self, parameter: usize) -> Option<usize> {
         M::FORM.above(parameter)
     }
@@ -118,10 +156,16 @@ impl<M: Memory> Model for Record<'_, M> {
 
     fn subsample(&self, points: &[usize]) -> Option<Box<dyn Model + '_>> {
         let of = |values: &[f64]| points.iter().map(|&i| values[i]).collect::<Vec<f64>>();
+        let times = of(&self.times);
         let mut sample = Record::<M> {
-            times: Cow::Owned(of(&self.times)),
             velocities: Cow::Owned(of(&self.velocities)),
-            beginnings: self.beginnings.clone(),
+            measured: Cow::Owned(of(&self.measured)),
+            beginnings: if M::FORGETS {
+                beginnings(&times)
+            } else {
+                vec![0]
+            },
+            times: Cow::Owned(times),
             means: None,
             path: self.path,
             guess: self.guess.clone(),
@@ -141,6 +185,7 @@ impl<M: Memory> Model for Record<'_, M> {
         Some(Box::new(Record::<M> {
             times: Cow::Borrowed(&self.times),
             velocities: Cow::Borrowed(&self.velocities),
+            measured: Cow::Borrowed(&self.measured),
             beginnings: self.beginnings.clone(),
             means: self.means.clone(),
             path,
