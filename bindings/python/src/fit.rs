@@ -118,8 +118,8 @@ pub fn fit_all_laws<'py>(
             data.load().is_some(),
         ))
     })?;
-    let ((all, refusals), left_out, is_per_load) = found.map_err(told)?;
-    let all = all.iter().map(|one| {
+    let ((all, refusals), left_out, per_load) = found.map_err(told)?;
+    let all = all.iter().zip(per_load).map(|(one, is_per_load)| {
         let answer = result(py, one.law, &one.fit, is_per_load)?;
         answer.set_item("left_out", left_out)?;
         answer.set_item("akaike", one.akaike)?;

@@ -220,7 +220,9 @@ def of_motion(add: Callable[..., None]) -> None:
             [-1.0, NAN, "x", None],
         )
     for name in GRANITE:
-        values = [-1.0, "x", None] if name != "mu" else ["x", None]
+        # An older contact may be stronger or weaker.
+        first = {"mu": [], "b": [NAN]}.get(name, [-1.0])
+        values = [*first, "x", None]
         add(
             f"rate and state {name}",
             lambda x, n=name: tribos.RateState(**{**GRANITE, n: x}),

@@ -82,7 +82,7 @@ fn a_record_over_time_tells_of_bristles() -> Outcome {
     let folder = tempfile::tempdir()?;
     let line = format!("--law lugre {} --out out", data("joint.csv"));
     let told = fit(folder.path(), &line)?;
-    assert!(told.contains("lugre-bristles"), "{told}");
+    assert!(told.contains("lugre: s0 z + s1 z'"), "{told}");
     for (name, truth) in [
         ("fc", 1.0),
         ("fs", 1.5),

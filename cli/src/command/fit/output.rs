@@ -63,11 +63,9 @@ impl Report<'_> {
         )
     }
 
-    /// Whether parameters are per load, as coefficients are: friction was a force at known loads, or a coefficient. What
-    /// accelerates a drive, without a load, is a force or a torque.
+    /// Whether parameters are per load, as coefficients are: friction was a force at known loads.
     pub fn is_per_load(&self) -> bool {
-        let of_drive = || self.values().iter().any(|(name, _)| *name == "inertia");
-        self.table.data.load().is_some() || (self.law.is_of_coefficient() && !of_drive())
+        self.law.is_per_load(&self.table.data, self.fit)
     }
 
     /// The unit of a parameter, per load if friction is one; what the machine adds stays a force.

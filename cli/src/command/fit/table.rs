@@ -125,8 +125,6 @@ impl Table {
 
 /// Share of noise in accelerations that is told.
 const NOISY: f64 = 0.3;
-/// Friction that is large for a coefficient.
-const LARGE: f64 = 3.0;
 
 /// What the reader said, and what was made of the rows.
 fn told(mut brief: Vec<String>, found: &Prepared, law: Option<FitLaw>) -> Vec<String> {
@@ -153,10 +151,9 @@ fn told(mut brief: Vec<String>, found: &Prepared, law: Option<FitLaw>) -> Vec<St
             100.0 * found.acceleration_noise
         ));
     }
-    let friction = found.data.friction().iter();
-    let largest = friction.fold(0.0, |most: f64, f| most.max(f.abs()));
-    let is_force = largest > LARGE && found.data.load().is_none();
-    if is_force && law.is_some_and(|law| law.is_of_coefficient()) {
+    if found.data.is_large() && law.is_some_and(FitLaw::is_of_coefficient) {
+        let friction = found.data.friction().iter();
+        let largest = friction.fold(0.0, |most: f64, f| most.max(f.abs()));
         brief.push(format!(
             "f reaches {}, much for a coefficient: parameters are in its unit; --load N or --columns load=NAME divides it",
             super::output::shown_value(largest)

@@ -191,6 +191,13 @@ impl Measurements {
         }
     }
 
+    /// Whether friction is large for a coefficient, so that it is a force, and no load is known.
+    pub fn is_large(&self) -> bool {
+        /// Coefficients of sliding friction stay below it.
+        const LARGE: f64 = 3.0;
+        self.load.is_none() && self.forces()[1] > LARGE
+    }
+
     /// Friction of a point per load, if loads are known.
     pub(super) fn per_load(&self, point: usize) -> f64 {
         let load = self.load.as_ref().map_or(1.0, |load| load[point]);

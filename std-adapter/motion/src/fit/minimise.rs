@@ -64,6 +64,10 @@ const ROUGH_OFFSET: f64 = 1e-4;
 /// Singular value over the largest below which a direction has no effect, so no step is taken along it.
 const FLAT: f64 = 1e-10;
 
+/// Relative decrease of the cost in a step, and number of such steps, after which a rough search ends: where a law has
+/// kinks, descent may go on for long without a gain.
+const STALLED: (f64, usize) = (1e-7, 3);
+
 /// Searches from `start`, and passes the number of each step to `watch`; `None` if the model refuses `start`.
 pub(super) fn minimise(
     problem: &Problem<'_>,
@@ -79,6 +83,7 @@ pub(super) fn minimise(
     };
     let mut iterations = 0;
     let mut order = Order::Second;
+    let mut stalled = 0;
     loop {
         let Iterate { q, residuals, cost } = &place;
         watch(iterations);
@@ -89,7 +94,8 @@ pub(super) fn minimise(
             order = Order::Fourth;
         }
         let is_done = *cost <= problem.floor || offset <= problem.offset;
-        let next = if is_done || iterations == MOST {
+        let is_over = iterations == MOST || stalled == STALLED.1;
+        let next = if is_done || is_over {
             None
         } else if offset <= NEAR {
             pace.approach(problem, &place, &step, offset)
@@ -97,7 +103,12 @@ pub(super) fn minimise(
             pace.descend(problem, &place, &step)
         };
         match next {
-            Some(next) => place = next,
+            Some(next) => {
+                let gains = place.cost - next.cost > STALLED.0 * place.cost;
+                let is_rough = problem.offset >= ROUGH_OFFSET;
+                stalled = if gains || !is_rough { 0 } else { stalled + 1 };
+                place = next;
+            }
             None => {
                 return Some(Minimum {
                     q: place.q,

@@ -14,6 +14,7 @@ mod steady;
 
 use super::apparatus::{Apparatus, Mounted};
 use super::error::FitError;
+use super::estimate::Fit;
 use super::parameter::Model;
 use super::{Measurements, Motion};
 use crate::stick::spring::StateEvolutionKind;
@@ -189,6 +190,13 @@ impl FitLaw {
     /// Whether parameters are coefficients of friction, where the others are forces.
     pub fn is_of_coefficient(self) -> bool {
         !self.has_memory() || self.has_age()
+    }
+
+    /// Whether fitted parameters are per load: the loads were known, or friction is small enough for a coefficient and no drive is
+    /// in the fit.
+    pub fn is_per_load(self, data: &Measurements, fit: &Fit) -> bool {
+        let is_joint = fit.value("inertia").is_some() || data.is_large();
+        data.load().is_some() || (self.is_of_coefficient() && !is_joint)
     }
 
     /// Whether friction depends on the age of the contact: rate and state.
