@@ -65,17 +65,26 @@ impl Report<'_> {
 
     /// Whether parameters are per load, as coefficients are: friction was a force at known loads.
     pub fn is_per_load(&self) -> bool {
-        self.law.is_per_load(&self.table.data, self.fit)
+        let is_force = self.table.units[0].is_some_and(|unit| unit != "-");
+        let per_load = self.law.is_per_load(&self.table.data, self.fit);
+        per_load && (!is_force || self.table.data.load().is_some())
     }
 
-    /// The unit of a parameter, per load if friction is one; what the machine adds stays a force.
-    fn unit(&self, parameter: &FitParameter) -> &'static str {
+    /// The unit of a parameter: per load if loads are known, else that of the friction in the file; what the machine adds
+    /// stays a force.
+    fn unit(&self, parameter: &FitParameter) -> String {
         let is_own = !matches!(parameter.name, "inertia" | "offset" | "adhesion");
-        match (self.table.data.load().is_some() && is_own, parameter.unit) {
-            (true, "N") => "-",
-            (true, "N/m") => "1/m",
-            (true, "N s/m") => "s/m",
-            (_, unit) => unit,
+        let [force, speed] = self.table.units;
+        let force = force.filter(|unit| *unit != "-");
+        let unit = if self.table.data.load().is_some() && is_own {
+            per_load(parameter.unit).to_owned()
+        } else {
+            force.map_or(parameter.unit.to_owned(), |force| of_force(parameter, force))
+        };
+        match (speed, unit.as_str(), unit.strip_suffix("/m")) {
+            (Some("rad/s"), "m/s", _) => "rad/s".to_owned(),
+            (Some("rad/s"), _, Some(first)) => format!("{first}/rad"),
+            _ => unit,
         }
     }
 
@@ -271,6 +280,30 @@ impl Report<'_> {
             toml_number(estimate.interval[0]),
             toml_number(estimate.interval[1])
         )
+    }
+}
+
+/// A unit divided by that of the load.
+fn per_load(unit: &'static str) -> &'static str {
+    match unit {
+        "N" => "-",
+        "N/m" => "1/m",
+        "N s/m" => "s/m",
+        unit => unit,
+    }
+}
+
+/// The unit of a parameter where friction is a force or a torque.
+fn of_force(parameter: &FitParameter, force: &str) -> String {
+    let is_coefficient = matches!(parameter.name, "mu" | "mu_s" | "mu_d" | "mu_f" | "mu0" | "a" | "b");
+    match parameter.unit {
+        "-" if is_coefficient => force.to_owned(),
+        "s/m" => format!("{force} s/m"),
+        "N" => force.to_owned(),
+        "N/m" => format!("{force}/m"),
+        "N s/m" => format!("{force} s/m"),
+        "kg" if force == "N m" => "kg m²".to_owned(),
+        unit => unit.to_owned(),
     }
 }
 

@@ -15,6 +15,8 @@ pub struct Table {
     pub told: Vec<String>,
     /// Rows that were left out, by reason.
     pub dropped: Vec<(String, u64)>,
+    /// Units in SI of friction and velocity, if the file has them.
+    pub units: [Option<&'static str>; 2],
     name: PathBuf,
     /// Line of each point.
     lines: Vec<u64>,
@@ -90,6 +92,7 @@ impl Table {
         let left_out = left_out.into_iter().filter(|(_, count)| *count > 0);
         dropped.extend(left_out.map(|(why, count)| (why.to_owned(), count as u64)));
         Ok(Self {
+            units: ["f", "v"].map(|role| log.unit(role)),
             told: told(log.brief, &found, law),
             dropped,
             name: path.to_path_buf(),

@@ -252,6 +252,7 @@ fn driven(random: &mut Random, law: FitLaw, s: &Scale) -> Result<Record, FitErro
     let times = samples(random, s.rows, cycles);
     let v = |t: f64| s.speed * course.velocity(t);
     let h = 1e-4 * cycles / s.rows as f64;
+    let times: Vec<f64> = times.into_iter().filter(|t| v(*t) != 0.0).collect();
     let velocities: Vec<f64> = times.iter().map(|t| v(*t)).collect();
     let slopes: Vec<f64> = times
         .iter()
@@ -274,7 +275,7 @@ fn driven(random: &mut Random, law: FitLaw, s: &Scale) -> Result<Record, FitErro
         spring: false,
     };
     Ok(Record {
-        data: data.moving().0,
+        data,
         apparatus,
         fixed: Vec::new(),
         truth,

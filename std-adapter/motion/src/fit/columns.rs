@@ -46,7 +46,7 @@ pub struct Prepared {
 impl FitColumns {
     /// The measurements for a law, or for all of them.
     ///
-    /// Rows at rest are left out where they say nothing of sliding friction, and rows without a load. Friction that is nowhere negative, of a sample that
+    /// Rows at rest are left out where they say nothing of sliding friction, and rows without a load. Friction that is hardly ever negative, of a sample that
     /// moves in both directions, was recorded without sign: it gets that of the velocity.
     ///
     /// ```
@@ -65,7 +65,7 @@ impl FitColumns {
         let is_signed_by_velocity = self.is_without_sign();
         if is_signed_by_velocity {
             for (f, v) in self.friction.iter_mut().zip(&self.velocities) {
-                *f = f.copysign(*v);
+                *f *= v.signum();
             }
         }
         let mut acceleration_noise = 0.0;
@@ -106,9 +106,16 @@ impl FitColumns {
         })
     }
 
+    /// Whether friction does not change its sign with the velocity, but for noise about zero.
     fn is_without_sign(&self) -> bool {
+        /// Share of the sum that may have the other sign.
+        const NOISE: f64 = 0.01;
         let is_both = |sign: f64| self.velocities.iter().any(|v| v * sign > 0.0);
-        is_both(1.0) && is_both(-1.0) && self.friction.iter().all(|f| *f >= 0.0)
+        let sum = |sign: f64| {
+            let of_sign = self.friction.iter().map(|f| (f * sign).max(0.0));
+            of_sign.sum::<f64>()
+        };
+        is_both(1.0) && is_both(-1.0) && sum(-1.0) <= NOISE * sum(1.0)
     }
 
     /// Leaves other rows out.

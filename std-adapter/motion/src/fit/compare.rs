@@ -164,8 +164,8 @@ fn tell_apart(all: &mut [Compared]) {
     let least = best.akaike;
     for other in others {
         other.akaike -= least;
-        other.is_told_apart =
-            differ(&best.parts, &other.parts).unwrap_or(other.akaike > NO_SUPPORT);
+        let differ = differ(&best.parts, &other.parts).unwrap_or(false);
+        other.is_told_apart = differ || other.akaike > NO_SUPPORT;
     }
     best.akaike = 0.0;
     best.is_told_apart = false;

@@ -1,6 +1,7 @@
 //! From a minimum to a result: errors, intervals, and what to be careful of.
 
 use super::caution::{Caution, cautions};
+use super::data::Measurements;
 use super::error::FitError;
 use super::estimate::{Estimate, Fit};
 use super::hints::hints;
@@ -48,6 +49,7 @@ impl Certified {
             .data
             .times()
             .and_then(|_| residual_tests(&at.residuals, None));
+        let tests = tests.map(|tests| with_drift_along(tests, data, &at.residuals));
         let factor = tests.as_ref().map_or(1.0, growth);
         // Without known deviations their size is estimated from the residuals.
         let (deviation, quantile) = match data.sigma() {
@@ -116,6 +118,21 @@ impl Certified {
         all.extend(hints(data, &left, factor, has));
         fit.cautions = all;
         Ok(Self::Fit(Box::new(fit)))
+    }
+}
+
+/// The tests with the drift of friction where that is clearer than the drift of the force: of a sample that moves to and fro.
+fn with_drift_along(tests: ResidualTests, data: &Measurements, residuals: &[f64]) -> ResidualTests {
+    let along = residuals.iter().zip(data.velocities());
+    let along: Vec<f64> = along.map(|(r, v)| r * v.signum()).collect();
+    match residual_tests(&along, None) {
+        Some(other) if other.drift_p < tests.drift_p => ResidualTests {
+            drift: other.drift,
+            drift_z: other.drift_z,
+            drift_p: other.drift_p,
+            ..tests
+        },
+        _ => tests,
     }
 }
 

@@ -322,7 +322,7 @@ fn in_si(
             )),
             None => {
                 remarks.push(format!(
-                    "the unit {text} of {name} is not known: its numbers are taken as they are, in {}; \
+                    "the unit `{text}` of {name} is not known: its numbers are taken as they are, in {}; \
                      --units {name}=… gives another",
                     role.unit()
                 ));

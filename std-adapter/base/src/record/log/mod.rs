@@ -77,7 +77,9 @@ impl DropReason {
             Self::RepeatedTime => {
                 "the time has too few digits, or is another column: name it with --columns t=\"…\""
             }
-            Self::TimeBack => "the file may hold several records: give one of them",
+            Self::TimeBack => {
+                "the file may hold several records: give one of them, or leave the time out by --columns t=none"
+            }
             Self::Header => "give one table",
         }
     }
@@ -96,6 +98,8 @@ pub struct Log {
     pub brief: Vec<String>,
     /// Numbers of rows that were left out, by reason.
     pub dropped: Vec<(DropReason, u64)>,
+    /// Units in SI of the columns whose unit is known.
+    pub units: Vec<(&'static str, &'static str)>,
 }
 
 impl Log {
@@ -103,6 +107,12 @@ impl Log {
     pub fn column(&self, role: &str) -> Option<&[f64]> {
         let found = self.columns.iter().find(|(name, _)| *name == role);
         found.map(|(_, column)| column.as_slice())
+    }
+
+    /// The unit in SI of a role's column, if it is known.
+    pub fn unit(&self, role: &str) -> Option<&'static str> {
+        let found = self.units.iter().find(|(name, _)| *name == role);
+        found.map(|(_, unit)| *unit)
     }
 
     /// The column of a role, taken out.
@@ -371,6 +381,8 @@ fn finish(collector: Collector, plan: Plan, sheet: Option<&Sheet<'_>>) -> Result
         .filter(|(_, count)| *count > 0)
         .collect();
     derivatives(&mut log, &plan.derived)?;
+    let known = plan.assigned.iter().filter(|one| one.unit.is_some());
+    log.units = known.map(|one| (one.role.name, one.si)).collect();
     log.understood = words::understood(&plan, sheet, &log.dropped);
     log.brief = words::brief(&plan, sheet, &log.dropped);
     Ok(log)
