@@ -27,6 +27,7 @@
 //! ```
 
 mod body;
+mod errors;
 mod film;
 mod fit;
 mod law;
