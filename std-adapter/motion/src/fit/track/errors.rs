@@ -4,6 +4,7 @@ use super::super::covariance::certainty;
 use super::super::estimate::Uncertainty;
 use super::super::minimise::{free, gradient};
 use super::super::parameter::Model;
+use super::super::unknowns::Unknowns;
 use super::weighted::Weighted;
 use nalgebra::DMatrix;
 
@@ -24,10 +25,20 @@ pub(super) struct Errors {
 impl Errors {
     /// At a minimum; `variance` is that of a residual over its noise. None where the motion has no derivatives.
     pub fn new(film: &Weighted<'_>, q: &[f64], variance: f64) -> Option<Self> {
-        let (here, slopes) = film.slopes(q)?;
-        let bounds = film.bounds(&film.unknowns);
+        Self::of(film, &film.unknowns, q, variance)
+    }
+
+    /// The same for unknowns of which more are fixed.
+    pub fn of(
+        film: &Weighted<'_>,
+        unknowns: &Unknowns<'_>,
+        q: &[f64],
+        variance: f64,
+    ) -> Option<Self> {
+        let (here, slopes) = film.slopes(unknowns, q)?;
+        let bounds = film.bounds(unknowns);
         let inside = free(q, &bounds, &gradient(&slopes, &here));
-        let lengths = film.lengths(&film.unknowns);
+        let lengths = film.lengths(unknowns);
         let sizes: Vec<f64> = inside.iter().map(|&k| lengths[k].least()).collect();
         let found = certainty(&slopes, &inside, &sizes, film.size());
         let mut covariance = DMatrix::zeros(q.len(), q.len());
@@ -48,7 +59,10 @@ impl Errors {
         }
         let outer = |direction: &Vec<f64>| {
             let places = inside.iter().zip(direction);
-            places.filter(|(_, d)| **d != 0.0).map(|(&k, _)| k).collect()
+            places
+                .filter(|(_, d)| **d != 0.0)
+                .map(|(&k, _)| k)
+                .collect()
         };
         let loose = found.loose.iter().map(outer).collect();
         Some(Self {
@@ -138,7 +152,12 @@ mod tests {
 
     #[test]
     fn quantiles_are_those_of_the_tables() {
-        for (freedoms, table) in [(5.0, 2.5706), (10.0, 2.2281), (30.0, 2.0423), (f64::INFINITY, 1.96)] {
+        for (freedoms, table) in [
+            (5.0, 2.5706),
+            (10.0, 2.2281),
+            (30.0, 2.0423),
+            (f64::INFINITY, 1.96),
+        ] {
             assert!((student(freedoms) - table).abs() < 3e-3, "{freedoms}");
         }
     }

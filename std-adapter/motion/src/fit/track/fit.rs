@@ -3,7 +3,7 @@
 use super::super::error::FitError;
 use super::super::estimate::Uncertainty;
 use super::super::halton::halton;
-use super::super::minimise::Minimum;
+use super::super::minimise::{Minimum, OFFSET};
 use super::super::parameter::Model;
 use super::super::unknowns::Unknowns;
 use super::body::Body;
@@ -11,7 +11,8 @@ use super::errors::Errors;
 use super::film::Track;
 use super::model::{TrackModel, Turning};
 use super::profile::intervals;
-use super::weighted::{Noise, Weighted, first_noise};
+use super::scan::widened;
+use super::weighted::{Noise, ROUGH, Weighted, first_noise};
 use super::words;
 use super::{TrackEstimate, TrackFit, TrackOptions};
 
@@ -117,10 +118,10 @@ fn from_all_starts(
         }
         film.unknowns.coordinates(&values)
     });
-    let coarse = film.minima(&places.collect::<Vec<_>>());
+    let coarse = film.minima(&places.collect::<Vec<_>>(), ROUGH);
     film.noise = noise;
     let places: Vec<Vec<f64>> = coarse.into_iter().map(|end| end.q).collect();
-    let minima = film.minima(&places);
+    let minima = film.minima(&places, ROUGH);
     if minima.is_empty() {
         Err(FitError::NoStart)
     } else {
@@ -182,7 +183,7 @@ fn settle(
     let mut places = places;
     let mut is_misfit = false;
     for round in 0..MOST_ROUNDS {
-        let minima = film.minima(&places);
+        let minima = film.minima(&places, ROUGH);
         let best = minima.first().ok_or(FitError::NoStart)?;
         places = minima.iter().map(|end| end.q.clone()).collect();
         let raw = film
@@ -193,7 +194,9 @@ fn settle(
         let limit = given(film.robust_noise(&raw));
         is_misfit = leave_out(film, &raw, limit);
         film.is_robust = false;
-        let paid = Errors::new(film, &best.q, 1.0).ok_or(FitError::NoStart)?.paid;
+        let paid = Errors::new(film, &best.q, 1.0)
+            .ok_or(FitError::NoStart)?
+            .paid;
         film.noise = given(film.mean_noise(&raw, paid));
         let change = |a: f64, b: f64| (a / b - 1.0).abs();
         let is_settled = before.1 == film.is_kept
@@ -204,7 +207,7 @@ fn settle(
         }
     }
     // The weights of the last search are those of the result.
-    let minima = film.minima(&places);
+    let minima = film.minima(&places, OFFSET);
     Ok(Settled { minima, is_misfit })
 }
 
@@ -266,7 +269,9 @@ fn result(
         .iter()
         .filter(|end| end.cost <= best.cost + rise);
     let alike: Vec<&Minimum> = alike.collect();
-    let intervals = intervals(film, &alike, &errors.covariance, &rises);
+    let intervals = widened(film, &alike, &rises, || {
+        intervals(film, &alike, &errors.covariance, &rises)
+    });
     let parameters = film
         .model
         .parameters()

@@ -34,6 +34,7 @@ mod law;
 mod march;
 mod model;
 mod profile;
+mod scan;
 mod start;
 #[cfg(test)]
 #[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]

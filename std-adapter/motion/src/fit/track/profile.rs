@@ -2,14 +2,15 @@
 
 use super::super::minimise::Minimum;
 use super::super::parameter::{Model, Range};
-use super::super::unknowns::Unknowns;
-use super::weighted::Weighted;
+use super::weighted::{ROUGH, Weighted};
 use nalgebra::DMatrix;
 
 /// Share of t within which an end is found.
 const CLOSE: f64 = 0.01;
 /// Trials for one end.
 const MOST_TRIALS: usize = 14;
+/// A trial between two keeps this share of their distance from either.
+const LEAST_SHARE: f64 = 0.05;
 /// Largest factor from one trial to the next outwards.
 const LONGEST: f64 = 3.0;
 /// Logarithms or, of other coordinates, standard errors beyond which an interval has no end.
@@ -92,7 +93,8 @@ impl Profile<'_> {
             }
             at = match far {
                 Some([end, rise]) if rise.is_finite() => {
-                    near[0] + (end - near[0]) * (wanted - near[1]) / (rise - near[1])
+                    let share = (wanted - near[1]) / (rise - near[1]);
+                    near[0] + (end - near[0]) * share.clamp(LEAST_SHARE, 1.0 - LEAST_SHARE)
                 }
                 Some([end, _]) => 0.5 * (near[0] + end),
                 None => {
@@ -109,13 +111,8 @@ impl Profile<'_> {
         let film = self.film;
         let all = &film.unknowns;
         let held = all.sought.get(k).copied()?;
-        let mut unknowns = Unknowns {
-            model: all.model,
-            fixed: all.fixed.clone(),
-            sought: all.sought.clone(),
-        };
-        unknowns.sought.remove(k);
-        unknowns.fixed[held] = Some(all.model.parameters()[held].range.value(value));
+        let range = all.model.parameters()[held].range;
+        let unknowns = all.keeping(held, range.value(value));
         // The others follow by their correlation with this one.
         let slope = |j: usize| {
             let own = self.covariance[(k, k)];
@@ -128,7 +125,7 @@ impl Profile<'_> {
         let shift = value - near[k];
         let others = (0..near.len()).filter(|j| *j != k);
         let start: Vec<f64> = others.map(|j| near[j] + slope(j) * shift).collect();
-        let found = film.minimum(&unknowns, &start)?;
+        let found = film.minimum(&unknowns, &start, ROUGH)?;
         let mut q = found.q;
         q.insert(k, value);
         Some((q, (found.cost - self.least).max(0.0).sqrt()))

@@ -17,6 +17,8 @@ pub(super) struct Noise {
     pub angle: f64,
 }
 
+/// Offset of a search for the sum of squares alone, which is then good to its square.
+pub(super) const ROUGH: f64 = 1e-3;
 /// Normal deviates beyond which a robust fit counts the distance instead of its square (Huber 1964).
 const HUBER: f64 = 3.0;
 /// Ratio of a normal standard deviation to its median absolute deviation.
@@ -144,32 +146,32 @@ impl<'a> Weighted<'a> {
             .collect()
     }
 
-    /// Searches from a place; `unknowns` may have more parameters fixed than the fit.
-    pub fn minimum(&self, unknowns: &Unknowns<'_>, place: &[f64]) -> Option<Minimum> {
+    /// Searches from a place until a step would change the residuals by this fraction of their length; `unknowns` may
+    /// have more parameters fixed than the fit.
+    pub fn minimum(&self, unknowns: &Unknowns<'_>, place: &[f64], offset: f64) -> Option<Minimum> {
         let grain = f64::EPSILON * self.size();
         let problem = Problem {
             residuals: &|q: &[f64]| self.residuals(unknowns, q),
             bounds: self.bounds(unknowns),
             lengths: self.lengths(unknowns),
             floor: grain * grain,
-            offset: OFFSET,
+            offset,
         };
         minimise(&problem, place, &mut |_| ())
     }
 
     /// Minima from several places, by rising cost.
-    pub fn minima(&self, places: &[Vec<f64>]) -> Vec<Minimum> {
+    pub fn minima(&self, places: &[Vec<f64>], offset: f64) -> Vec<Minimum> {
         let ends = places
             .iter()
-            .filter_map(|place| self.minimum(&self.unknowns, place));
+            .filter_map(|place| self.minimum(&self.unknowns, place, offset));
         let mut minima: Vec<Minimum> = ends.collect();
         minima.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         minima
     }
 
     /// Residuals and their derivatives.
-    pub fn slopes(&self, q: &[f64]) -> Option<(Vec<f64>, DMatrix<f64>)> {
-        let unknowns = &self.unknowns;
+    pub fn slopes(&self, unknowns: &Unknowns<'_>, q: &[f64]) -> Option<(Vec<f64>, DMatrix<f64>)> {
         let problem = Problem {
             residuals: &|q: &[f64]| self.residuals(unknowns, q),
             bounds: self.bounds(unknowns),

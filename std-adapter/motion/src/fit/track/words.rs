@@ -35,6 +35,7 @@ pub(super) fn warnings(seen: &Seen<'_>) -> Vec<String> {
     let mut words = seen.fit.track.notes().to_vec();
     words.extend(hand(seen));
     words.extend(outliers(seen));
+    words.extend(trade(seen));
     words.extend(ambiguities(seen));
     words.extend(end_of_film(seen));
     words.extend(bend(seen));
@@ -133,6 +134,33 @@ fn ambiguities(seen: &Seen<'_>) -> Vec<String> {
         ));
     }
     words
+}
+
+/// A film without the angle in which the coefficient follows a ratio that is not told.
+fn trade(seen: &Seen<'_>) -> Option<String> {
+    /// Width of the interval, over its middle, beyond which the coefficient is not told.
+    const WIDE: f64 = 0.1;
+    let of = |name: &str| seen.fit.estimate(name).map(|estimate| estimate.interval);
+    let ([low, high], [least, most]) = of("mu").zip(of("ratio"))?;
+    let is_sought = least < most;
+    let is_wide = high - low > WIDE * seen.fit.value("mu")?;
+    if !is_sought || !is_wide {
+        return None;
+    }
+    let side = |name: &str, low: f64, high: f64| {
+        if high.is_finite() {
+            format!("{name} = {low:.4} to {high:.4}")
+        } else {
+            format!("{name} above {low:.4}")
+        }
+    };
+    Some(format!(
+        "the coefficient trades with the ratio: the frames allow {} with {}; a body that hardly spins slows down \
+         uniformly, and so does one that spins fast under a larger coefficient. Film the angle, or give the ratio with \
+         --fix ratio=VALUE (1000 without spin)",
+        side("mu", low, high),
+        side("ratio", least, most)
+    ))
 }
 
 fn model_names(model: &TrackModel<'_>) -> Vec<&'static str> {
