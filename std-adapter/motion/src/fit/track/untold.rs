@@ -79,12 +79,11 @@ pub(super) fn trade(seen: &Seen<'_>) -> Option<String> {
     if !is_sought || !is_wide {
         return None;
     }
-    let side = |name: &str, low: f64, high: f64| {
-        if high.is_finite() {
-            format!("{name} = {low:.4} to {high:.4}")
-        } else {
-            format!("{name} above {low:.4}")
-        }
+    let side = |name: &str, low: f64, high: f64| match (low > 0.0, high.is_finite()) {
+        (true, true) => format!("{name} = {low:.4} to {high:.4}"),
+        (true, false) => format!("{name} above {low:.4}"),
+        (false, true) => format!("{name} below {high:.4}"),
+        (false, false) => format!("any {name}"),
     };
     Some(format!(
         "the coefficient trades with the ratio: the frames allow {} with {}; a body that hardly spins slows down \
