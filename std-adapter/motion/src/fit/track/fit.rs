@@ -1,20 +1,20 @@
 //! The search: several starts, noise and outliers, errors and intervals.
 
-use super::super::covariance::certainty;
 use super::super::error::FitError;
 use super::super::estimate::Uncertainty;
 use super::super::halton::halton;
-use super::super::minimise::{Minimum, free, gradient};
-use super::super::parameter::{Model, Range};
+use super::super::minimise::{Minimum, OFFSET};
+use super::super::parameter::Model;
 use super::super::unknowns::Unknowns;
 use super::body::Body;
+use super::errors::Errors;
 use super::film::Track;
 use super::model::{TrackModel, Turning};
-use super::profile::{End, Profile, student};
-use super::weighted::{Noise, Weighted, first_noise};
+use super::profile::intervals;
+use super::scan::widened;
+use super::weighted::{Noise, ROUGH, Weighted, first_noise};
 use super::words;
 use super::{TrackEstimate, TrackFit, TrackOptions};
-use nalgebra::DMatrix;
 
 /// Standard deviations beyond which a reading is an outlier, and the largest share of frames that may be.
 const OUTLYING: f64 = 6.0;
@@ -118,10 +118,10 @@ fn from_all_starts(
         }
         film.unknowns.coordinates(&values)
     });
-    let coarse = film.minima(&places.collect::<Vec<_>>());
+    let coarse = film.minima(&places.collect::<Vec<_>>(), ROUGH);
     film.noise = noise;
     let places: Vec<Vec<f64>> = coarse.into_iter().map(|end| end.q).collect();
-    let minima = film.minima(&places);
+    let minima = film.minima(&places, ROUGH);
     if minima.is_empty() {
         Err(FitError::NoStart)
     } else {
@@ -183,7 +183,7 @@ fn settle(
     let mut places = places;
     let mut is_misfit = false;
     for round in 0..MOST_ROUNDS {
-        let minima = film.minima(&places);
+        let minima = film.minima(&places, ROUGH);
         let best = minima.first().ok_or(FitError::NoStart)?;
         places = minima.iter().map(|end| end.q.clone()).collect();
         let raw = film
@@ -193,18 +193,21 @@ fn settle(
         // Medians are not moved by what is far off.
         let limit = given(film.robust_noise(&raw));
         is_misfit = leave_out(film, &raw, limit);
-        film.noise = given(film.mean_noise(&raw));
+        film.is_robust = false;
+        let paid = Errors::new(film, &best.q, 1.0)
+            .ok_or(FitError::NoStart)?
+            .paid;
+        film.noise = given(film.mean_noise(&raw, paid));
         let change = |a: f64, b: f64| (a / b - 1.0).abs();
         let is_settled = before.1 == film.is_kept
             && change(before.0.position, film.noise.position) < SETTLED
             && change(before.0.angle, film.noise.angle) < SETTLED;
-        film.is_robust = false;
         if is_settled && round > 0 {
             break;
         }
     }
     // The weights of the last search are those of the result.
-    let minima = film.minima(&places);
+    let minima = film.minima(&places, OFFSET);
     Ok(Settled { minima, is_misfit })
 }
 
@@ -249,26 +252,26 @@ fn result(
     let freedoms = film.readings().saturating_sub(unknowns.sought.len()).max(1);
     let is_known = options.noise_position.is_some()
         && (options.noise_angle.is_some() || track.angle().is_none());
-    let variance = if is_known {
+    // A noise that is given for one kind of reading is not scaled by the other.
+    let variance = if options.noise_position.or(options.noise_angle).is_some() {
         1.0
     } else {
         best.cost / freedoms as f64
     };
-    let (here, slopes) = film.slopes(&best.q).ok_or(FitError::NoStart)?;
-    let errors = Errors::new(film, best, &here, &slopes, variance);
-    let t = if is_known {
-        student(usize::MAX)
-    } else {
-        student(freedoms)
-    };
-    let rise = t * t * variance;
+    let errors = Errors::new(film, &best.q, variance).ok_or(FitError::NoStart)?;
+    let is_given = [options.noise_position, options.noise_angle].map(|noise| noise.is_some());
+    let rises = errors.quantiles(film, is_given);
+    let rises: Vec<f64> = rises.iter().map(|t| t * t * variance).collect();
+    let rise = rises.iter().copied().fold(0.0, f64::max);
     // Other minima that the frames do not exclude widen the intervals.
     let alike = settled
         .minima
         .iter()
         .filter(|end| end.cost <= best.cost + rise);
     let alike: Vec<&Minimum> = alike.collect();
-    let intervals = intervals(film, &alike, &errors.covariance, rise);
+    let intervals = widened(film, &alike, &rises, || {
+        intervals(film, &alike, &errors.covariance, &rises)
+    });
     let parameters = film
         .model
         .parameters()
@@ -332,123 +335,4 @@ fn scatter(film: &Weighted<'_>, raw: &[f64]) -> (f64, Option<f64>) {
     };
     let angle = (raw.len() > 2 * frames).then(|| mean(2 * frames, raw.len(), 1));
     (mean(0, 2 * frames, 0), angle)
-}
-
-/// Values at the ends of the profiles around all minima that are alike.
-fn intervals(
-    film: &Weighted<'_>,
-    alike: &[&Minimum],
-    covariance: &DMatrix<f64>,
-    rise: f64,
-) -> Vec<[f64; 2]> {
-    let unknowns = &film.unknowns;
-    let least = alike.first().map_or(0.0, |best| best.cost);
-    let ranges = unknowns
-        .sought
-        .iter()
-        .map(|&j| film.model.parameters()[j].range);
-    let interval = |(k, range): (usize, Range)| {
-        let nothing = match range {
-            Range::Positive | Range::NotNegative => [0.0, f64::INFINITY],
-            Range::Any => [f64::NEG_INFINITY, f64::INFINITY],
-            Range::Between { above, up_to } => [above, up_to],
-        };
-        let around = alike.iter().map(|from| {
-            let profile = Profile {
-                film,
-                from,
-                least,
-                rise,
-                covariance,
-            };
-            let [low, high] = profile.ends(k, range == Range::Positive);
-            let value = |end: End, open: f64| match end {
-                End::At(q) => range.value(q),
-                End::Open => open,
-            };
-            [value(low, nothing[0]), value(high, nothing[1])]
-        });
-        around.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], [low, high]| {
-            [a.min(low), b.max(high)]
-        })
-    };
-    ranges.enumerate().map(interval).collect()
-}
-
-/// Covariance of the coordinates at the minimum.
-struct Errors {
-    /// Of all coordinates; rows of those without an error are 0.
-    covariance: DMatrix<f64>,
-    /// Coordinates inside their bounds.
-    inside: Vec<usize>,
-    /// Groups of coordinates that the frames do not tell apart.
-    loose: Vec<Vec<usize>>,
-}
-
-impl Errors {
-    fn new(
-        film: &Weighted<'_>,
-        best: &Minimum,
-        here: &[f64],
-        slopes: &DMatrix<f64>,
-        variance: f64,
-    ) -> Self {
-        let bounds = film.bounds(&film.unknowns);
-        let inside = free(&best.q, &bounds, &gradient(slopes, here));
-        let lengths = film.lengths(&film.unknowns);
-        let sizes: Vec<f64> = inside.iter().map(|&k| lengths[k].least()).collect();
-        let found = certainty(slopes, &inside, &sizes, film.size());
-        let mut covariance = DMatrix::zeros(best.q.len(), best.q.len());
-        for (a, &i) in inside.iter().enumerate() {
-            for (b, &j) in inside.iter().enumerate() {
-                covariance[(i, j)] = variance * found.covariance[(a, b)];
-            }
-        }
-        let outer = |direction: &Vec<f64>| {
-            let places = inside.iter().zip(direction);
-            places
-                .filter(|(_, d)| **d != 0.0)
-                .map(|(&k, _)| k)
-                .collect()
-        };
-        Self {
-            covariance,
-            loose: found.loose.iter().map(outer).collect(),
-            inside,
-        }
-    }
-
-    /// Certainty of the parameter at coordinate `k`.
-    fn known(&self, film: &Weighted<'_>, k: usize, values: &[f64]) -> Uncertainty {
-        let unknowns = &film.unknowns;
-        let parameter = |k: usize| &film.model.parameters()[unknowns.sought[k]];
-        if !self.inside.contains(&k) {
-            return Uncertainty::AtBound;
-        }
-        let mut groups = self.loose.iter().filter(|group| group.contains(&k));
-        if let Some(group) = groups.next() {
-            let others = group.iter().filter(|&&other| other != k);
-            return Uncertainty::Undetermined(others.map(|&other| parameter(other).name).collect());
-        }
-        let slope = parameter(k).range.derivative(values[unknowns.sought[k]]);
-        Uncertainty::StandardError(self.covariance[(k, k)].sqrt() * slope)
-    }
-
-    /// Pairs of parameters that the frames hardly tell apart, and their correlation.
-    fn entangled(&self, film: &Weighted<'_>) -> Vec<(&'static str, &'static str, f64)> {
-        /// Correlation beyond which two parameters are hardly told apart.
-        const ENTANGLED: f64 = 0.99;
-        let name = |k: usize| film.model.parameters()[film.unknowns.sought[k]].name;
-        let c = &self.covariance;
-        let mut pairs = Vec::new();
-        for b in 0..c.nrows() {
-            for a in 0..b {
-                let correlation = c[(a, b)] / (c[(a, a)] * c[(b, b)]).sqrt();
-                if correlation.abs() > ENTANGLED {
-                    pairs.push((name(a), name(b), correlation));
-                }
-            }
-        }
-        pairs
-    }
 }

@@ -1,16 +1,16 @@
 //! Intervals from the profile of the sum of squares: it rises by t² of the noise at their ends.
 
 use super::super::minimise::Minimum;
-use super::super::unknowns::Unknowns;
-use super::weighted::Weighted;
+use super::super::parameter::{Model, Range};
+use super::weighted::{ROUGH, Weighted};
 use nalgebra::DMatrix;
 
-/// 97.5 % of a normal deviate lie below.
-const NORMAL_QUANTILE: f64 = 1.959_963_984_540_054;
 /// Share of t within which an end is found.
 const CLOSE: f64 = 0.01;
 /// Trials for one end.
 const MOST_TRIALS: usize = 14;
+/// A trial between two keeps this share of their distance from either.
+const LEAST_SHARE: f64 = 0.05;
 /// Largest factor from one trial to the next outwards.
 const LONGEST: f64 = 3.0;
 /// Logarithms or, of other coordinates, standard errors beyond which an interval has no end.
@@ -19,32 +19,21 @@ const OPEN_ERRORS: f64 = 100.0;
 /// First trial of a logarithm.
 const FIRST_LOGARITHM: f64 = 1.0;
 
-/// The 97.5 % quantile of Student's t (Cornish and Fisher 1937, to ν⁻³; 3e-3 from 5 degrees of freedom on).
-pub(super) fn student(freedoms: usize) -> f64 {
-    let z = NORMAL_QUANTILE;
-    let nu = freedoms.max(1) as f64;
-    let (z3, z5) = (z * z * z, z * z * z * z * z);
-    let z7 = z5 * z * z;
-    z + (z3 + z) / (4.0 * nu)
-        + (5.0 * z5 + 16.0 * z3 + 3.0 * z) / (96.0 * nu * nu)
-        + (3.0 * z7 + 19.0 * z5 + 17.0 * z3 - 15.0 * z) / (384.0 * nu * nu * nu)
-}
-
 /// The sum of squares around a minimum along one coordinate, with the others at their best.
-pub(super) struct Profile<'a> {
-    pub film: &'a Weighted<'a>,
+struct Profile<'a> {
+    film: &'a Weighted<'a>,
     /// Where it begins.
-    pub from: &'a Minimum,
+    from: &'a Minimum,
     /// Least sum of squares of all, and the rise at the ends of an interval.
-    pub least: f64,
-    pub rise: f64,
+    least: f64,
+    rise: f64,
     /// Covariance of the coordinates, 0 where there is none.
-    pub covariance: &'a DMatrix<f64>,
+    covariance: &'a DMatrix<f64>,
 }
 
 /// An end of an interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum End {
+enum End {
     /// The coordinate.
     At(f64),
     /// The data set no bound.
@@ -53,7 +42,7 @@ pub(super) enum End {
 
 impl Profile<'_> {
     /// Both ends along coordinate `k`.
-    pub fn ends(&self, k: usize, is_logarithm: bool) -> [End; 2] {
+    fn ends(&self, k: usize, is_logarithm: bool) -> [End; 2] {
         [-1.0, 1.0].map(|sign| self.end(k, sign, is_logarithm))
     }
 
@@ -91,7 +80,8 @@ impl Profile<'_> {
             }
             if rise < wanted {
                 if at >= most {
-                    return if room <= most {
+                    // Bounds of logarithms are those of the search alone.
+                    return if room <= most && !is_logarithm {
                         End::At(self.from.q[k] + sign * at)
                     } else {
                         End::Open
@@ -103,7 +93,8 @@ impl Profile<'_> {
             }
             at = match far {
                 Some([end, rise]) if rise.is_finite() => {
-                    near[0] + (end - near[0]) * (wanted - near[1]) / (rise - near[1])
+                    let share = (wanted - near[1]) / (rise - near[1]);
+                    near[0] + (end - near[0]) * share.clamp(LEAST_SHARE, 1.0 - LEAST_SHARE)
                 }
                 Some([end, _]) => 0.5 * (near[0] + end),
                 None => {
@@ -120,13 +111,8 @@ impl Profile<'_> {
         let film = self.film;
         let all = &film.unknowns;
         let held = all.sought.get(k).copied()?;
-        let mut unknowns = Unknowns {
-            model: all.model,
-            fixed: all.fixed.clone(),
-            sought: all.sought.clone(),
-        };
-        unknowns.sought.remove(k);
-        unknowns.fixed[held] = Some(all.model.parameters()[held].range.value(value));
+        let range = all.model.parameters()[held].range;
+        let unknowns = all.keeping(held, range.value(value));
         // The others follow by their correlation with this one.
         let slope = |j: usize| {
             let own = self.covariance[(k, k)];
@@ -139,21 +125,50 @@ impl Profile<'_> {
         let shift = value - near[k];
         let others = (0..near.len()).filter(|j| *j != k);
         let start: Vec<f64> = others.map(|j| near[j] + slope(j) * shift).collect();
-        let found = film.minimum(&unknowns, &start)?;
+        let found = film.minimum(&unknowns, &start, ROUGH)?;
         let mut q = found.q;
         q.insert(k, value);
         Some((q, (found.cost - self.least).max(0.0).sqrt()))
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn quantiles_are_those_of_the_tables() {
-        for (freedoms, table) in [(5, 2.5706), (10, 2.2281), (30, 2.0423), (100, 1.9840)] {
-            assert!((student(freedoms) - table).abs() < 3e-3, "{freedoms}");
-        }
-    }
+/// Values at the ends of the profiles around all minima that are alike.
+pub(super) fn intervals(
+    film: &Weighted<'_>,
+    alike: &[&Minimum],
+    covariance: &DMatrix<f64>,
+    rises: &[f64],
+) -> Vec<[f64; 2]> {
+    let unknowns = &film.unknowns;
+    let least = alike.first().map_or(0.0, |best| best.cost);
+    let ranges = unknowns
+        .sought
+        .iter()
+        .map(|&j| film.model.parameters()[j].range);
+    let interval = |(k, range): (usize, Range)| {
+        let nothing = match range {
+            Range::Positive | Range::NotNegative => [0.0, f64::INFINITY],
+            Range::Any => [f64::NEG_INFINITY, f64::INFINITY],
+            Range::Between { above, up_to } => [above, up_to],
+        };
+        let around = alike.iter().map(|from| {
+            let profile = Profile {
+                film,
+                from,
+                least,
+                rise: rises[k],
+                covariance,
+            };
+            let [low, high] = profile.ends(k, range == Range::Positive);
+            let value = |end: End, open: f64| match end {
+                End::At(q) => range.value(q),
+                End::Open => open,
+            };
+            [value(low, nothing[0]), value(high, nothing[1])]
+        });
+        around.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], [low, high]| {
+            [a.min(low), b.max(high)]
+        })
+    };
+    ranges.enumerate().map(interval).collect()
 }

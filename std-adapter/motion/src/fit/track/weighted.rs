@@ -17,6 +17,8 @@ pub(super) struct Noise {
     pub angle: f64,
 }
 
+/// Offset of a search for the sum of squares alone, which is then good to its square.
+pub(super) const ROUGH: f64 = 1e-3;
 /// Normal deviates beyond which a robust fit counts the distance instead of its square (Huber 1964).
 const HUBER: f64 = 3.0;
 /// Ratio of a normal standard deviation to its median absolute deviation.
@@ -53,14 +55,16 @@ impl<'a> Weighted<'a> {
         }
     }
 
+    /// 0 of a coordinate, 1 of an angle.
+    pub fn kind(&self, reading: usize) -> usize {
+        usize::from(reading >= 2 * self.model.frames())
+    }
+
     /// Weight of a reading.
     fn weight(&self, reading: usize) -> f64 {
         let frames = self.model.frames();
-        let (kind, noise) = if reading < 2 * frames {
-            (0, self.noise.position)
-        } else {
-            (1, self.noise.angle)
-        };
+        let kind = self.kind(reading);
+        let noise = [self.noise.position, self.noise.angle][kind];
         let is_kept = self.is_kept[kind].get(reading % frames);
         if is_kept == Some(&true) {
             1.0 / noise
@@ -96,9 +100,13 @@ impl<'a> Weighted<'a> {
 
     /// Readings that are used.
     pub fn readings(&self) -> usize {
-        (0..self.measured.len())
-            .filter(|&i| self.weight(i) > 0.0)
-            .count()
+        self.readings_of(0) + self.readings_of(1)
+    }
+
+    /// Readings of coordinates (0) or of angles (1) that are used.
+    pub fn readings_of(&self, kind: usize) -> usize {
+        let used = (0..self.measured.len()).filter(|&i| self.weight(i) > 0.0);
+        used.filter(|&i| self.kind(i) == kind).count()
     }
 
     /// Lengths over which predictions change.
@@ -138,32 +146,32 @@ impl<'a> Weighted<'a> {
             .collect()
     }
 
-    /// Searches from a place; `unknowns` may have more parameters fixed than the fit.
-    pub fn minimum(&self, unknowns: &Unknowns<'_>, place: &[f64]) -> Option<Minimum> {
+    /// Searches from a place until a step would change the residuals by this fraction of their length; `unknowns` may
+    /// have more parameters fixed than the fit.
+    pub fn minimum(&self, unknowns: &Unknowns<'_>, place: &[f64], offset: f64) -> Option<Minimum> {
         let grain = f64::EPSILON * self.size();
         let problem = Problem {
             residuals: &|q: &[f64]| self.residuals(unknowns, q),
             bounds: self.bounds(unknowns),
             lengths: self.lengths(unknowns),
             floor: grain * grain,
-            offset: OFFSET,
+            offset,
         };
         minimise(&problem, place, &mut |_| ())
     }
 
     /// Minima from several places, by rising cost.
-    pub fn minima(&self, places: &[Vec<f64>]) -> Vec<Minimum> {
+    pub fn minima(&self, places: &[Vec<f64>], offset: f64) -> Vec<Minimum> {
         let ends = places
             .iter()
-            .filter_map(|place| self.minimum(&self.unknowns, place));
+            .filter_map(|place| self.minimum(&self.unknowns, place, offset));
         let mut minima: Vec<Minimum> = ends.collect();
         minima.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         minima
     }
 
     /// Residuals and their derivatives.
-    pub fn slopes(&self, q: &[f64]) -> Option<(Vec<f64>, DMatrix<f64>)> {
-        let unknowns = &self.unknowns;
+    pub fn slopes(&self, unknowns: &Unknowns<'_>, q: &[f64]) -> Option<(Vec<f64>, DMatrix<f64>)> {
         let problem = Problem {
             residuals: &|q: &[f64]| self.residuals(unknowns, q),
             bounds: self.bounds(unknowns),
@@ -185,31 +193,22 @@ impl<'a> Weighted<'a> {
         })
     }
 
-    /// Noise from the squares of residuals of the frames that are used; each kind of reading pays for the
-    /// parameters that it determines.
-    pub fn mean_noise(&self, raw: &[f64]) -> Noise {
-        let frames = self.model.frames();
+    /// Noise from the squares of residuals of the frames that are used; positions and angles have `paid` for as many
+    /// parameters.
+    pub fn mean_noise(&self, raw: &[f64], paid: [f64; 2]) -> Noise {
         let mut squares = [0.0; 2];
-        let mut counts = [0_usize; 2];
         for (i, r) in raw.iter().enumerate() {
             if self.weight(i) > 0.0 {
-                let kind = usize::from(i >= 2 * frames);
-                squares[kind] += r * r;
-                counts[kind] += 1;
+                squares[self.kind(i)] += r * r;
             }
         }
-        let names = self.unknowns.sought.iter();
-        let of_angle =
-            |&&j: &&usize| ["R", "angle0", "spin"].contains(&self.model.parameters()[j].name);
-        let angle_parameters = names.filter(of_angle).count();
-        let position_parameters = self.unknowns.sought.len() - angle_parameters;
-        let mean = |kind: usize, parameters: usize| {
-            let left = counts[kind].saturating_sub(parameters).max(1);
-            (squares[kind] / left as f64).sqrt()
+        let mean = |kind: usize| {
+            let left = (self.readings_of(kind) as f64 - paid[kind]).max(1.0);
+            (squares[kind] / left).sqrt()
         };
         self.floored(Noise {
-            position: mean(0, position_parameters),
-            angle: mean(1, angle_parameters),
+            position: mean(0),
+            angle: mean(1),
         })
     }
 

@@ -1,9 +1,9 @@
 //! What a fit of a film says beside its numbers.
 
-use super::super::estimate::Uncertainty;
 use super::TrackFit;
 use super::film::Track;
 use super::model::{TrackModel, Turning};
+use super::untold;
 use super::weighted::{Weighted, first_noise};
 use nalgebra::{Matrix3, Vector3};
 
@@ -35,7 +35,8 @@ pub(super) fn warnings(seen: &Seen<'_>) -> Vec<String> {
     let mut words = seen.fit.track.notes().to_vec();
     words.extend(hand(seen));
     words.extend(outliers(seen));
-    words.extend(ambiguities(seen));
+    words.extend(untold::trade(seen));
+    words.extend(untold::ambiguities(seen));
     words.extend(end_of_film(seen));
     words.extend(bend(seen));
     words.extend(quality(seen));
@@ -70,78 +71,6 @@ fn outliers(seen: &Seen<'_>) -> Vec<String> {
         );
     }
     words
-}
-
-/// Parameters that the film does not tell, or does not tell apart.
-fn ambiguities(seen: &Seen<'_>) -> Vec<String> {
-    let (fit, model) = (seen.fit, seen.film.model);
-    let mut words = Vec::new();
-    if model.turning == Turning::Ratio {
-        words.push(
-            "without the angle a film tells the coefficient and the ratio v/(|spin| R), not R and spin by \
-             themselves: give a column angle for them"
-                .into(),
-        );
-        if let Some(radius) = seen.radius {
-            let [_, rim] = model.speeds(&fit.values());
-            words.push(format!(
-                "with R = {radius} m the spin at the first frame is {:.4} rad/s, to either side",
-                rim / radius
-            ));
-        }
-    }
-    for estimate in &fit.parameters {
-        let name = estimate.parameter.name;
-        let [low, high] = estimate.interval;
-        let is_lost = matches!(estimate.known, Uncertainty::Undetermined(_));
-        match name {
-            "R" if is_lost || high.is_infinite() || low == 0.0 => {
-                let spin = fit.estimate("spin").map(|spin| spin.interval);
-                let why = if spin.is_some_and(|[low, high]| low <= 0.0 && high >= 0.0) {
-                    "a body that hardly spins tells nothing about its radius"
-                } else {
-                    "the film does not bound the radius on both sides"
-                };
-                words.push(format!("{why}: give --fix R=METRES"));
-            }
-            "ratio" if high.is_infinite() && low > 0.0 => words.push(format!(
-                "the ratio is above {low:.3}: the body may not have spun at all"
-            )),
-            _ if is_lost => words.push(format!(
-                "the film does not determine {name}; give --fix {name}=VALUE"
-            )),
-            _ => {}
-        }
-    }
-    for values in &seen.others {
-        let names = model_names(model);
-        let told = names
-            .iter()
-            .zip(values)
-            .take(model.body.law.parameters().len() + 1);
-        let told: Vec<String> = told
-            .map(|(name, value)| format!("{name} = {value:.4}"))
-            .collect();
-        words.push(format!(
-            "another motion fits the frames as well, with {}; the intervals include it",
-            told.join(", ")
-        ));
-    }
-    for (a, b, correlation) in &seen.correlations {
-        words.push(format!(
-            "correlation of {a} and {b} is {correlation:.4}: the film hardly tells these apart; fix one"
-        ));
-    }
-    words
-}
-
-fn model_names(model: &TrackModel<'_>) -> Vec<&'static str> {
-    use super::super::parameter::Model;
-    model
-        .parameters()
-        .iter()
-        .map(|parameter| parameter.name)
-        .collect()
 }
 
 /// A film that ends while the body slides.

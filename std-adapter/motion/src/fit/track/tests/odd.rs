@@ -174,6 +174,13 @@ fn a_hand_that_still_pushes_is_noticed() {
 fn what_the_film_does_not_tell_is_said() {
     let still = Filmed { spin: 0.0, ..PUCK };
     assert_said(&fitted(&film(&still, true)), "hardly spins tells nothing");
+    // Without the angle it may as well be one at the final ratio of 0.65 under a larger coefficient.
+    let found = fitted(&film(&still, false));
+    assert_said(&found, "trades with the ratio");
+    let [low, high] = found.estimate("mu").unwrap().interval;
+    let [least, most] = found.estimate("ratio").unwrap().interval;
+    assert!(low < PUCK.mu && high > 1.4 * PUCK.mu, "{low} {high}");
+    assert!(least < 0.7 && most.is_infinite(), "{least} {most}");
     let track = film(&PUCK, true);
     let options = TrackOptions {
         to: Some(track.times()[25]),
