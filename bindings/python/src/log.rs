@@ -11,14 +11,14 @@ use tribos::record::{
 };
 
 /// Names of roles, whether a log without them is refused, and whether only their own names count.
-type Wanted = Vec<(String, bool, bool)>;
+type WantedRoles = Vec<(String, bool, bool)>;
 /// Columns and units by role, and lines to leave out.
-type Given = (Vec<(String, String)>, Vec<(String, String)>, u64);
+type GivenOptions = (Vec<(String, String)>, Vec<(String, String)>, u64);
 
 /// Columns of pushes.
 const PUSHES: [&str; 6] = ["dx", "dy", "dtheta", "fx", "fy", "torque"];
 
-fn roles(wanted: &Wanted) -> PyResult<Vec<LogRole>> {
+fn roles(wanted: &WantedRoles) -> PyResult<Vec<LogRole>> {
     let role = |(name, is_needed, by_own_name): &(String, bool, bool)| {
         let known = LogRole::ALL.into_iter().find(|role| role.name == name);
         let known = known.ok_or_else(|| refused(format!("there is no role {name}")))?;
@@ -32,7 +32,7 @@ fn roles(wanted: &Wanted) -> PyResult<Vec<LogRole>> {
     wanted.iter().map(role).collect()
 }
 
-fn options((columns, units, skip): Given) -> LogOptions {
+fn options((columns, units, skip): GivenOptions) -> LogOptions {
     LogOptions {
         columns: ColumnChoices::of(columns),
         units: UnitChoices(units),
@@ -76,8 +76,8 @@ fn result<'py>(py: Python<'py>, log: Log) -> PyResult<Bound<'py, PyDict>> {
 pub fn read_file<'py>(
     py: Python<'py>,
     path: PathBuf,
-    wanted: Wanted,
-    given: Given,
+    wanted: WantedRoles,
+    given: GivenOptions,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (roles, options) = (roles(&wanted)?, options(given));
     let log = detached(py, || read_log(&path, &roles, &options))?;
@@ -86,7 +86,11 @@ pub fn read_file<'py>(
 
 /// Places of the columns that are read of a table with these names.
 #[pyfunction]
-pub fn log_places(names: Vec<String>, wanted: Wanted, given: Given) -> PyResult<Vec<usize>> {
+pub fn log_places(
+    names: Vec<String>,
+    wanted: WantedRoles,
+    given: GivenOptions,
+) -> PyResult<Vec<usize>> {
     used_columns("data", &names, &roles(&wanted)?, &options(given)).map_err(told)
 }
 
@@ -95,8 +99,8 @@ pub fn log_places(names: Vec<String>, wanted: Wanted, given: Given) -> PyResult<
 pub fn log_columns<'py>(
     py: Python<'py>,
     columns: Vec<(String, Vec<f64>)>,
-    wanted: Wanted,
-    given: Given,
+    wanted: WantedRoles,
+    given: GivenOptions,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (roles, options) = (roles(&wanted)?, options(given));
     let log = detached(py, || log_of_columns("data", &columns, &roles, &options))?;
@@ -108,8 +112,8 @@ pub fn log_columns<'py>(
 pub fn look_at(
     py: Python<'_>,
     path: PathBuf,
-    wanted: Wanted,
-    given: Given,
+    wanted: WantedRoles,
+    given: GivenOptions,
 ) -> PyResult<(String, String)> {
     let (roles, options) = (roles(&wanted)?, options(given));
     let seen = detached(py, || look(&path, &roles, &options))?.map_err(told)?;
@@ -118,7 +122,7 @@ pub fn look_at(
 
 /// Rows of pushes of a file.
 #[pyfunction]
-pub fn read_pushes(py: Python<'_>, path: PathBuf, given: Given) -> PyResult<Vec<[f64; 6]>> {
+pub fn read_pushes(py: Python<'_>, path: PathBuf, given: GivenOptions) -> PyResult<Vec<[f64; 6]>> {
     let options = options(given);
     let rows = detached(py, || {
         Rows::with_options(&path, &options, |_| &PUSHES).and_then(|rows| rows.all(usize::MAX))

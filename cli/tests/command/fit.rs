@@ -310,7 +310,6 @@ fn strokes_that_cannot_be_found_are_refused_with_a_reason() -> Outcome {
             "r.csv:3: the load must be > 0",
         ),
         ("t,f,load\n0,1,2\n1,1,2\n", "--load 2", "both given"),
-        ("t,f\n0,1\n1,1\n", "--middle 1.5", "at most 1"),
         ("t,f\n0,1\n1,1\n", "--law power", "cannot be used with"),
     ] {
         write(text)?;

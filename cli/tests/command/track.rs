@@ -72,8 +72,8 @@ fn pixels_and_frames_need_their_scale() -> Outcome {
     for (options, cure) in [
         ("--units x=px", "--scale METRES_PER_PIXEL"),
         ("--units t=frames", "--frame-rate HZ"),
-        ("--units angle=mm", "give rad, deg, turn"),
-        ("--from 90", "check --skip, --from and --to"),
+        ("--units angle=mm", "angle"),
+        ("--from 90", "--from and --to"),
         ("--patch box:0.1x0.05 --law power", "--law coulomb"),
         ("--law lugre", "--law: "),
         ("--fix radius=1", "the parameters are mu, R, x0"),

@@ -23,35 +23,13 @@ use std::path::PathBuf;
 use tribos::friction::Patch;
 use usage::As;
 
-/// Fit a friction law to measurements by least squares: parameters with standard errors and intervals, what the data do not
-/// determine, and what to be careful of. Or compare all laws (--law all), follow a filmed body (--track), take a tribometer's
-/// strokes apart (--strokes), or find the pressure under a foot from pushes (--support).
+/// Fit a friction law to measurements by least squares, or compare all laws; or follow a filmed body (--track), take a
+/// tribometer's strokes apart (--strokes), or find the pressure under a foot from pushes (--support).
 ///
-/// Logs are read as they are: commas, semicolons, tabs or blanks between columns, decimal points or commas, lines
-/// before the header, units in names or in a line of their own, gzip and UTF-16. Usual names of columns in English and
-/// German are known; --columns names others, --look shows what is understood. Rows without a number, and rows whose time
-/// does not rise, are dropped and counted. Without a velocity, one is made from a position.
-///
-/// The columns decide: v,f is friction f of steady sliding at velocities v [m/s], in one direction or both; t,v,f is a record
-/// over time [s], which laws with a memory need. A column sigma with the standard deviation of f gives points their weights.
-/// f is a coefficient, or a force [N] that --load or a column load makes a coefficient; forces of bristles may stay forces.
-///
-/// The machine is part of the fit: --inertia, --offset, --spring. Over time steps are taken between the rows until the answer no
-/// longer depends on them. Errors grow with the correlation of the residuals. Intervals cover the truth in 95 of 100 cases
-/// and come from profiles.
-///
-/// With more than 4,000 points the starts search a sample of about 2,000, and the distinct minima found on it are refined on
-/// all points; more starts follow while fewer than three agree. A fit longer than two seconds reports its progress.
-///
-/// --track takes the columns t,x,y [s, m, m] and perhaps angle [rad] of a body that slides on a level floor.
-///
-/// --strokes takes t,f and v or x, and perhaps load: mean friction, static peak, run-in, stick-slip and the offset of the
-/// directions, a row for each stroke.
-///
-/// --support takes quasi-static pushes with the columns dx,dy,dtheta [m, rad], of which the direction
-/// counts, and fx,fy,torque [N, N m], the wrench on the body, in the frame of the body. The loads of points
-/// come from non-negative least squares; the motions that they foretell are compared with the measured
-/// ones, beside those of an ellipsoid and a convex quartic fitted to the same pushes.
+/// Logs are read as they are: --look shows what is understood, --columns and --units say what is not. v,f is friction f of
+/// steady sliding at velocities v [m/s]; t,v,f is a record over time [s], which laws with a memory need; a column sigma gives
+/// points their weights. f is a coefficient, or a force [N]. --track takes t,x,y and perhaps angle; --strokes t,f and v or x;
+/// --support dx,dy,dtheta,fx,fy,torque. docs/fit.md explains every line of the output and every warning.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
@@ -59,8 +37,9 @@ pub struct Arguments {
     /// input.
     #[arg(required_unless_present = "support")]
     data: Option<PathBuf>,
-    /// The law, or all of them for a comparison.
-    #[arg(long, required_unless_present_any = ["support", "strokes", "look", "track"], value_parser = law::parser())]
+    /// The law: coulomb, viscous, stribeck, tanh, arctan, rising, power, amontons, elastic-plastic, dahl, elasto-plastic,
+    /// lugre, maxwell, rate-state, rate-state-slip; or all of them, compared.
+    #[arg(long, required_unless_present_any = ["support", "strokes", "look", "track"], value_parser = law::parser(), hide_possible_values = true)]
     law: Option<LawChoice>,
     #[command(flatten)]
     log: LogArguments,
@@ -82,15 +61,25 @@ pub struct Arguments {
     /// The support under the pushed body, if it is known, or the patch of the filmed one (disk unless it is given): disk, ring, punch, hertz, box:AxB, polygon:FILE, bar:L, mesh:FILE or points:FILE (weights are loads), in the frame of the pushes.
     #[arg(long)]
     patch: Option<Patch>,
-    /// Print the fitted law as a program or as coefficients of a simulator, in place of the report.
-    #[arg(long = "as", value_name = "TARGET", value_enum, requires = "law")]
+    /// Print the fitted law as a program or as coefficients of a simulator: rust, c, python, scene, mujoco, newton, gazebo.
+    #[arg(
+        long = "as",
+        value_name = "TARGET",
+        value_enum,
+        requires = "law",
+        hide_possible_values = true
+    )]
     target: Option<As>,
-    /// Form of what is printed.
-    #[arg(long, value_enum, default_value = "text", conflicts_with = "target")]
+    /// Form of what is printed: text or json.
+    #[arg(
+        long,
+        value_enum,
+        default_value = "text",
+        conflicts_with = "target",
+        hide_possible_values = true
+    )]
     format: Format,
-    /// Folder for fit.toml, covariance.csv, residuals.csv, fit.svg and fit.png; for laws.csv and laws.json of a comparison;
-    /// for pressure.csv, pressure.svg, pressure.png and summary.json; or for strokes.csv, strokes.svg, strokes.png and
-    /// summary.json. It is created if missing; files of an earlier command in it are removed first. The folder of a
+    /// Folder for tables and pictures, created if missing; files of an earlier command in it are removed first. The folder of a
     /// powder, a tip, a sweep or a report is refused.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -98,15 +87,13 @@ pub struct Arguments {
 
 const EXAMPLES: &str = "\
 Examples:
-  tribos fit --look log.txt                                # what is understood of a file
-  tribos fit --law stribeck bearing.csv --out out/bearing
-  tribos fit --law stribeck forces.csv --load 12.5 --fix delta=2 --fix k=0
-  tribos fit --law all log.csv --columns t=Time,v=\"v [mm/s]\",f=COF
-  tribos fit --law viscous joint.csv --inertia --offset    # a servo joint
-  tribos fit --law lugre pull.csv --out out/joint          # t,v,f: bristles too
+  tribos fit --look scenes/data/disc.csv                   # what is understood of a file
+  tribos fit --law all scenes/data/disc.csv --columns v=\"Disc speed\",f=Traction
+  tribos fit --law stribeck forces.csv --load 12.5 --fix delta=2 --fix k=0 --out out/bearing
+  tribos fit --law viscous scenes/data/servo.csv --inertia --offset
   tribos fit --law lugre pull.csv --as c                   # the law as a program
-  tribos fit --law rate-state steps.csv --spring fit       # v is the load point's
-  tribos fit --track puck.csv --units x=mm,y=mm,angle=deg --from 0.4 --out out/puck
+  tribos fit --law rate-state scenes/data/gouge.csv --spring fit
+  tribos fit --track scenes/data/puck.csv --out out/puck
   tribos fit --strokes scenes/data/tribometer.csv --load 20 --out out/strokes
   tribos fit --support scenes/data/pushes.csv --patch box:0.2x0.1 --out out/pushes
 bearing.csv:
@@ -161,7 +148,7 @@ impl Arguments {
         if self.strokes.strokes {
             let log = self.log.options();
             let form = (self.format, self.out.as_deref());
-            return strokes::execute(data, &log, self.machine.load, &self.strokes, form);
+            return strokes::execute(data, &log, self.machine.load, form);
         }
         let Some(choice) = self.law else {
             return Err(Failure::input("give a law by --law, or --law all"));

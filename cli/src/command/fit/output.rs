@@ -79,7 +79,9 @@ impl Report<'_> {
         let unit = if self.table.data.load().is_some() && is_own {
             per_load(parameter.unit).to_owned()
         } else {
-            force.map_or(parameter.unit.to_owned(), |force| of_force(parameter, force))
+            force.map_or(parameter.unit.to_owned(), |force| {
+                of_force(parameter, force)
+            })
         };
         match (speed, unit.as_str(), unit.strip_suffix("/m")) {
             (Some("rad/s"), "m/s", _) => "rad/s".to_owned(),
@@ -295,7 +297,10 @@ fn per_load(unit: &'static str) -> &'static str {
 
 /// The unit of a parameter where friction is a force or a torque.
 fn of_force(parameter: &FitParameter, force: &str) -> String {
-    let is_coefficient = matches!(parameter.name, "mu" | "mu_s" | "mu_d" | "mu_f" | "mu0" | "a" | "b");
+    let is_coefficient = matches!(
+        parameter.name,
+        "mu" | "mu_s" | "mu_d" | "mu_f" | "mu0" | "a" | "b"
+    );
     match parameter.unit {
         "-" if is_coefficient => force.to_owned(),
         "s/m" => format!("{force} s/m"),

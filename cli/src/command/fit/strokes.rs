@@ -3,7 +3,6 @@
 use super::log::Format;
 use super::strokes_picture;
 use crate::command::digits::shown;
-use crate::command::number;
 use crate::failure::Failure;
 use serde_json::{Map, Value, json};
 use std::path::Path;
@@ -24,12 +23,6 @@ pub struct StrokeArguments {
     /// divided by the sign of f.
     #[arg(long, requires = "data", conflicts_with_all = ["law", "fixed", "starts"])]
     pub strokes: bool,
-    /// Share of the way of a stroke, about its middle, over which friction is averaged.
-    #[arg(long, value_name = "SHARE", default_value = "0.5", value_parser = share, requires = "strokes")]
-    middle: f64,
-    /// Shortest rest that divides strokes of one direction [s] [default: five rows].
-    #[arg(long, value_name = "S", default_value = "0", hide_default_value = true, value_parser = number::not_negative, requires = "strokes")]
-    rest: f64,
 }
 
 const FILES: [&str; 4] = ["strokes.csv", "strokes.svg", "strokes.png", "summary.json"];
@@ -39,29 +32,16 @@ const MOST_PRINTED: usize = 20;
 const NOT_PRINTED: [&str; 3] = ["duration", "peak_time", "cut_off"];
 const EXPECTED: &str = "(columns are t,f with v or x, perhaps load)";
 
-fn share(text: &str) -> Result<f64, String> {
-    let share = number::positive(text)?;
-    match share <= 1.0 {
-        true => Ok(share),
-        false => Err("give a share > 0 and at most 1".into()),
-    }
-}
-
 /// Takes apart, writes and prints.
 pub fn execute(
     file: &Path,
     log: &LogOptions,
     load: Option<f64>,
-    options: &StrokeArguments,
     (format, out): (Format, Option<&Path>),
 ) -> Result<(), Failure> {
     let (record, told) = read(file, log, load)?;
-    let asked = StrokeOptions {
-        middle: options.middle,
-        shortest_rest: options.rest,
-    };
     let refusal = |error: FitError| Failure::input(format!("{}: {error}", file.display()));
-    let found = Strokes::new(&record, &asked).map_err(refusal)?;
+    let found = Strokes::new(&record, &StrokeOptions::default()).map_err(refusal)?;
     if let Some(out) = out {
         let picture = strokes_picture::panels(&record, &found);
         let _folder = OutputFolder::begin(out, &Contents::of("fit", &FILES))?;

@@ -33,7 +33,7 @@ pub use checkpoint::CheckpointError;
 pub use error::RecordError;
 #[doc(hidden)]
 pub use log::{
-    ColumnChoice, ColumnChoices, DropReason, Log, LogOptionError, LogOptions, LogRole, Look,
+    ColumnChoice, ColumnChoices, DropReason, Log, LogOptionError, LogOptions, LogPreview, LogRole,
     LookColumn, UnitChoices, log_of_columns, look, look_from, read_log, read_log_from,
     used_columns,
 };

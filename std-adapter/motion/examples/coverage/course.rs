@@ -25,7 +25,7 @@ pub fn normal(random: &mut Random) -> f64 {
 
 /// The velocity of a record; times are in cycles, velocities in shares of the largest.
 #[derive(Debug)]
-pub enum Course {
+pub enum VelocityCourse {
     /// One sine, with a phase in radians.
     Sine(f64),
     /// Three sines: their shares, frequencies and phases.
@@ -46,7 +46,7 @@ pub enum Course {
 
 const TURN: f64 = std::f64::consts::TAU;
 
-impl Course {
+impl VelocityCourse {
     /// To and fro.
     pub fn both_ways(random: &mut Random, cycles: f64) -> Self {
         match (5.0 * random.unit()) as u32 {

@@ -1,6 +1,6 @@
 //! Records with a known truth: random parameters, motion, sampling and noise.
 
-use crate::course::{Course, log_uniform, normal, uniform};
+use crate::course::{VelocityCourse, log_uniform, normal, uniform};
 use crate::truth::Truth;
 use tribos_base::random::Random;
 use tribos_motion::fit::{Apparatus, FitError, FitLaw, Measurements};
@@ -248,7 +248,7 @@ fn samples(random: &mut Random, rows: usize, cycles: f64) -> Vec<f64> {
 fn driven(random: &mut Random, law: FitLaw, s: &Scale) -> Result<Record, FitError> {
     let mut truth = curve(random, law, s);
     let cycles = uniform(random, [2.0, 10.0]);
-    let course = Course::both_ways(random, cycles);
+    let course = VelocityCourse::both_ways(random, cycles);
     let times = samples(random, s.rows, cycles);
     let v = |t: f64| s.speed * course.velocity(t);
     let h = 1e-4 * cycles / s.rows as f64;
@@ -286,7 +286,7 @@ fn driven(random: &mut Random, law: FitLaw, s: &Scale) -> Result<Record, FitErro
 fn joint(random: &mut Random, law: FitLaw, s: &Scale) -> Result<Record, FitError> {
     let cycles = uniform(random, [2.0, 10.0]);
     let period = log_uniform(random, [0.1, 10.0]);
-    let course = Course::both_ways(random, cycles);
+    let course = VelocityCourse::both_ways(random, cycles);
     let stroke = s.speed * period / std::f64::consts::PI;
     // Rows of one cycle in which the state changes: resolved finely or coarsely.
     let bend = stroke * log_uniform(random, [0.003, 0.1]);
@@ -338,7 +338,7 @@ fn joint(random: &mut Random, law: FitLaw, s: &Scale) -> Result<Record, FitError
 fn rock(random: &mut Random, (law, form): (FitLaw, Form), s: &Scale) -> Result<Record, FitError> {
     let cycles = uniform(random, [2.0, 6.0]);
     let period = log_uniform(random, [1.0, 100.0]);
-    let course = Course::forward(random, cycles);
+    let course = VelocityCourse::forward(random, cycles);
     let times = samples(random, s.rows, cycles);
     let distance: f64 = times
         .windows(2)
@@ -386,7 +386,7 @@ fn rock(random: &mut Random, (law, form): (FitLaw, Form), s: &Scale) -> Result<R
 fn over_time(
     random: &mut Random,
     (law, truth): (Truth, Vec<f64>),
-    course: &Course,
+    course: &VelocityCourse,
     [speed, period, noise]: [f64; 3],
     (times, share): (Vec<f64>, f64),
 ) -> Result<Record, FitError> {

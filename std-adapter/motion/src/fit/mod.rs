@@ -77,7 +77,7 @@ pub use estimate::{Estimate, Fit, FitOptions, Uncertainty};
 pub use law::FitLaw;
 pub use parameter::FitParameter;
 #[doc(hidden)]
-pub use parameter::{Between, Course, Model, Range};
+pub use parameter::{Between, Model, Range, VelocityCourse};
 pub use residual_tests::{ResidualTests, residual_tests};
 #[doc(hidden)]
 pub use search::FitProgress;

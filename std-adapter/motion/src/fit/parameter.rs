@@ -126,12 +126,12 @@ pub struct Between {
     /// Steps from one point to the next.
     pub steps: u32,
     /// How the velocity goes from its value at one point to that at the next.
-    pub course: Course,
+    pub course: VelocityCourse,
 }
 
 /// How the velocity goes from one point of a record to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Course {
+pub enum VelocityCourse {
     /// On a straight line.
     Straight,
     /// On a curve whose slope at a point is the mean of its neighbours' differences.
@@ -148,7 +148,7 @@ impl Between {
     /// One step along a straight line.
     pub const PLAIN: Self = Self {
         steps: 1,
-        course: Course::Straight,
+        course: VelocityCourse::Straight,
     };
 }
 

@@ -4,9 +4,9 @@ use super::Measurements;
 use super::jacobian::{DifferenceScale, Order};
 use super::linearised::Linearised;
 use super::minimise::{Minimum, OFFSET};
-use super::parameter::{Between, Course, Model};
+use super::parameter::{Between, Model, VelocityCourse};
 use super::sample::WeightedData;
-use super::search::{Watch, descents, problem};
+use super::search::{ProgressWatch, descents, problem};
 use super::unknowns::Unknowns;
 
 /// Change of a parameter, in standard errors, that more steps may still make.
@@ -78,7 +78,7 @@ pub(super) struct Paths<'a, 'b> {
     pub data: &'b Measurements,
     pub target: &'b WeightedData,
     pub lengths: &'b [DifferenceScale],
-    pub watch: &'b Watch<'b>,
+    pub watch: &'b ProgressWatch<'b>,
 }
 
 impl<'a> Paths<'a, '_> {
@@ -95,7 +95,11 @@ impl<'a> Paths<'a, '_> {
             return found;
         }
         if is_stepped(self.data.velocities()) {
-            for course in [Course::JumpsMidway, Course::JumpsAtOnce, Course::JumpsLate] {
+            for course in [
+                VelocityCourse::JumpsMidway,
+                VelocityCourse::JumpsAtOnce,
+                VelocityCourse::JumpsLate,
+            ] {
                 let other = self.on(Between { steps: 1, course }, &found.minima);
                 if let Some(other) = other
                     && cost(&other.minima) < cost(&found.minima)
@@ -115,7 +119,7 @@ impl<'a> Paths<'a, '_> {
     fn choose_course(&self, found: &mut Refined<'a>) {
         let smooth = Between {
             steps: found.path.steps.max(MORE),
-            course: Course::Smooth,
+            course: VelocityCourse::Smooth,
         };
         let mut told = self.shift(found, smooth);
         if told.is_some()
@@ -133,7 +137,7 @@ impl<'a> Paths<'a, '_> {
         }
         let mut counts: Vec<Shift> = told.into_iter().collect();
         if has_abrupt(self.data.velocities()) {
-            for course in [Course::JumpsAtOnce, Course::JumpsLate] {
+            for course in [VelocityCourse::JumpsAtOnce, VelocityCourse::JumpsLate] {
                 let jumps = self.shift(found, Between { steps: 1, course });
                 counts.extend(jumps.map(|shift| shift.part(HIDDEN)));
             }

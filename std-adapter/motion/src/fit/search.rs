@@ -25,7 +25,7 @@ pub struct FitProgress {
 }
 
 /// Receives the progress; searches run side by side.
-pub(super) type Watch<'a> = dyn Fn(FitProgress) + Sync + 'a;
+pub(super) type ProgressWatch<'a> = dyn Fn(FitProgress) + Sync + 'a;
 
 /// What the searches found.
 pub(super) struct Search {
@@ -57,7 +57,7 @@ pub(super) fn search(
     data: &Measurements,
     target: &WeightedData,
     starts: usize,
-    watch: &Watch<'_>,
+    watch: &ProgressWatch<'_>,
 ) -> Result<Search, FitError> {
     let measured = data.friction();
     if measured.len() <= unknowns.sought.len() {
@@ -141,7 +141,7 @@ fn minima(
     target: &WeightedData,
     lengths: &[DifferenceScale],
     starts: &[Vec<f64>],
-    watch: &Watch<'_>,
+    watch: &ProgressWatch<'_>,
 ) -> Vec<Minimum> {
     let places: Vec<Vec<f64>> = starts
         .iter()
@@ -157,7 +157,7 @@ pub(super) fn descents(
     (target, offset): (&WeightedData, f64),
     lengths: &[DifferenceScale],
     places: &[Vec<f64>],
-    watch: &Watch<'_>,
+    watch: &ProgressWatch<'_>,
 ) -> Vec<Option<Minimum>> {
     let residuals = |q: &[f64]| target.residuals(unknowns, q);
     let mut problem = problem(&residuals, unknowns, target, lengths);

@@ -39,12 +39,6 @@ pub struct FilmArguments {
     /// I/(M R²) of a round body: 0.5 for a solid disk, 1 for a hoop; a box is of uniform thickness.
     #[arg(long, requires = "track", value_parser = number::positive, default_value = "0.5")]
     inertia_ratio: f64,
-    /// Standard deviation of x and y [m]; without it the residuals tell.
-    #[arg(long, requires = "track", value_name = "M", value_parser = number::positive)]
-    noise_position: Option<f64>,
-    /// Standard deviation of the angle [rad]; without it the residuals tell.
-    #[arg(long, requires = "track", value_name = "RAD", value_parser = number::positive)]
-    noise_angle: Option<f64>,
     /// Frames per second, where t is the number of the frame.
     #[arg(long, requires = "track", value_name = "HZ", value_parser = number::positive)]
     frame_rate: Option<f64>,
@@ -79,8 +73,8 @@ impl FilmArguments {
             skip: 0,
             from: self.from,
             to: self.to,
-            noise_position: self.noise_position,
-            noise_angle: self.noise_angle,
+            noise_position: None,
+            noise_angle: None,
         };
         let fit = fit_track(&read.track, &options).map_err(|error| read.refusal(error))?;
         if let Some(out) = common.out {

@@ -4,7 +4,7 @@ use super::FilmArguments;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use tribos::fit::track::Track;
-use tribos::record::{LogOptions, LogRole, read_log};
+use tribos::record::{LogOptions, LogRole, TableError, read_log};
 
 /// A film that was read.
 #[derive(Debug)]
@@ -38,7 +38,7 @@ impl Film {
 impl FilmArguments {
     /// Reads t,x,y and perhaps angle, in SI units.
     pub(super) fn read(&self, path: &Path, options: &LogOptions) -> Result<Film, Failure> {
-        let mut log = read_log(path, &ROLES, options)?;
+        let mut log = read_log(path, &ROLES, options).map_err(|refusal| with_scale(&refusal))?;
         let mut scaled = |name: &str, factor: Option<f64>| {
             let column = log.take(name)?;
             let factor = factor.unwrap_or(1.0);
@@ -56,6 +56,19 @@ impl FilmArguments {
             lines: log.lines,
         })
     }
+}
+
+/// A refusal, with the cure for pixels and frames, which are no units.
+fn with_scale(refusal: &TableError) -> Failure {
+    let text = refusal.to_string();
+    let cure = if text.contains("`px`") || text.contains("`pixel`") {
+        "; pixels have no length: give --scale METRES_PER_PIXEL"
+    } else if text.contains("`frame`") || text.contains("`frames`") {
+        "; frames have no duration: give --frame-rate HZ"
+    } else {
+        ""
+    };
+    Failure::input(format!("{text}{cure}"))
 }
 
 pub use super::super::table::refusal;

@@ -38,7 +38,7 @@ pub struct LookColumn {
 
 /// What a log would be read as.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Look {
+pub struct LogPreview {
     /// What is understood, a line for each part.
     pub understood: Vec<String>,
     /// Why the log could not be read with these options.
@@ -52,7 +52,11 @@ pub struct Look {
 }
 
 /// Looks at a file, or at standard input for `-`.
-pub fn look(path: &Path, roles: &[LogRole], options: &LogOptions) -> Result<Look, TableError> {
+pub fn look(
+    path: &Path,
+    roles: &[LogRole],
+    options: &LogOptions,
+) -> Result<LogPreview, TableError> {
     of(Lines::asked_for(path)?, roles, options)
 }
 
@@ -62,14 +66,14 @@ pub fn look_from<'a>(
     source: impl BufRead + 'a,
     roles: &[LogRole],
     options: &LogOptions,
-) -> Result<Look, TableError> {
+) -> Result<LogPreview, TableError> {
     of(Lines::of(name, Box::new(source)), roles, options)
 }
 
-fn of(lines: Lines<'_>, roles: &[LogRole], options: &LogOptions) -> Result<Look, TableError> {
+fn of(lines: Lines<'_>, roles: &[LogRole], options: &LogOptions) -> Result<LogPreview, TableError> {
     let mut sheet = open(lines, roles, options)?;
     let width = super::columns(&sheet);
-    let mut look = Look {
+    let mut look = LogPreview {
         understood: table(&sheet),
         trouble: None,
         columns: columns(&sheet, width),
@@ -115,7 +119,7 @@ fn columns(sheet: &Sheet<'_>, width: usize) -> Vec<LookColumn> {
     (0..width).map(column).collect()
 }
 
-impl Look {
+impl LogPreview {
     /// Counts a row.
     fn add(&mut self, sheet: &Sheet<'_>) {
         self.rows += 1;

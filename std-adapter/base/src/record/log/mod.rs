@@ -10,7 +10,7 @@ mod role;
 mod tests;
 mod words;
 
-pub use look::{Look, LookColumn, look, look_from};
+pub use look::{LogPreview, LookColumn, look, look_from};
 pub use options::{ColumnChoice, ColumnChoices, LogOptionError, LogOptions, UnitChoices};
 pub use role::LogRole;
 

@@ -212,7 +212,7 @@ fn units_of_headers_become_si() {
     let told = log("v [furlong/h],Motor current [A]\n3,2\n").map(|log| log.brief.concat());
     let told = told.unwrap_or_default();
     assert!(
-        told.contains("the unit furlong/h of v is not known"),
+        told.contains("the unit `furlong/h` of v is not known"),
         "{told}"
     );
     assert!(told.contains("f is taken as it is, in A"), "{told}");
@@ -533,7 +533,7 @@ fn a_look_tells_columns_ranges_and_trouble() {
     );
     let told = seen
         .as_ref()
-        .map(Look::text)
+        .map(LogPreview::text)
         .map_err(|error| error.to_string());
     let wanted = "file          a.csv\n\
         \x20             semicolons between cells, decimal commas\n\

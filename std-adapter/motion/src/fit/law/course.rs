@@ -1,6 +1,6 @@
 //! Motion between the points of a record, and samples of a long one.
 
-use super::super::parameter::{Between, Course};
+use super::super::parameter::{Between, VelocityCourse};
 
 /// Length of an interval of a record in time, and the mean velocity in it.
 pub(super) type Interval = (f64, f64);
@@ -24,19 +24,19 @@ pub(super) fn velocity_steps(
         }
     };
     match path.course {
-        Course::JumpsMidway => {
+        VelocityCourse::JumpsMidway => {
             each(0.5 * dt, from);
             each(0.5 * dt, to);
         }
-        Course::JumpsAtOnce => each(dt, to),
-        Course::JumpsLate => each(dt, from),
-        Course::Straight if from * to < 0.0 => {
+        VelocityCourse::JumpsAtOnce => each(dt, to),
+        VelocityCourse::JumpsLate => each(dt, from),
+        VelocityCourse::Straight if from * to < 0.0 => {
             let turn = from / (from - to);
             part(dt * turn, &|share| from * (1.0 - share));
             part(dt * (1.0 - turn), &|share| to * share);
         }
-        Course::Straight => part(dt, &|share| from + (to - from) * share),
-        Course::Smooth => {
+        VelocityCourse::Straight => part(dt, &|share| from + (to - from) * share),
+        VelocityCourse::Smooth => {
             let slope = |i: usize| {
                 let (before, after) = (i.saturating_sub(1), (i + 1).min(times.len() - 1));
                 dt * (velocities[after] - velocities[before]) / (times[after] - times[before])

@@ -11,13 +11,13 @@ const ROWS: usize = 400;
 
 /// A record that is made row by row.
 #[derive(Default)]
-struct Made {
+struct MadeRecord {
     t: Vec<f64>,
     v: Vec<f64>,
     f: Vec<f64>,
 }
 
-impl Made {
+impl MadeRecord {
     fn push(&mut self, v: f64, f: f64) {
         self.t.push(STEP * self.t.len() as f64);
         self.v.push(v);
@@ -44,8 +44,8 @@ impl Made {
 }
 
 /// Strokes to and fro at constant speed: the mean of each, a static peak that decays over ten rows, an offset.
-fn reciprocating(means: impl IntoIterator<Item = f64>, peak: f64, offset: f64) -> Made {
-    let mut made = Made::default();
+fn reciprocating(means: impl IntoIterator<Item = f64>, peak: f64, offset: f64) -> MadeRecord {
+    let mut made = MadeRecord::default();
     for (k, mean) in means.into_iter().enumerate() {
         let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
         for i in 0..ROWS {
@@ -128,7 +128,7 @@ fn mean_peak_and_offset_come_back_from_noise_with_their_errors() {
 fn friction_may_have_any_sign() {
     let made = reciprocating([0.3; 12], 0.05, 0.0);
     let wanted = made.strokes();
-    let turned = |change: fn(f64) -> f64| Made {
+    let turned = |change: fn(f64) -> f64| MadeRecord {
         t: made.t.clone(),
         v: made.v.clone(),
         f: made.f.iter().map(|f| change(*f)).collect(),
@@ -149,7 +149,7 @@ fn friction_may_have_any_sign() {
 #[test]
 fn noise_at_rest_and_slow_turns_make_no_strokes() {
     // A sine with dwells of 100 rows at both ends, under noise of 2 % of the largest speed.
-    let mut made = Made::default();
+    let mut made = MadeRecord::default();
     for k in 0..10 {
         let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
         for i in 0..ROWS {
@@ -178,7 +178,7 @@ fn noise_at_rest_and_slow_turns_make_no_strokes() {
 fn springs_that_turn_round_and_drives_that_settle_are_no_friction_and_no_strokes() {
     // The machine's springs take two fifths of a stroke, with a peak at their end; the drive settles by
     // two short moves to and fro in a rest.
-    let mut made = Made::default();
+    let mut made = MadeRecord::default();
     for k in 0..12 {
         let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
         for i in 0..ROWS {
@@ -204,8 +204,8 @@ fn springs_that_turn_round_and_drives_that_settle_are_no_friction_and_no_strokes
 }
 
 /// Starts of one direction, each after a rest that keeps half of the friction, with a peak that grows with its number.
-fn starts(count: usize) -> Made {
-    let mut made = Made::default();
+fn starts(count: usize) -> MadeRecord {
+    let mut made = MadeRecord::default();
     for k in 0..count {
         for _ in 0..150 {
             made.push(0.0, 0.15);
@@ -247,8 +247,8 @@ fn starts_and_stops_have_a_static_peak_each() {
 }
 
 /// A saw-tooth: rises of 90 rows, falls of 5, between 0.2 and 0.2 + drop; the velocity of the drive or of the body.
-fn saw_tooth(teeth: usize, drop: f64, is_body: bool) -> Made {
-    let mut made = Made::default();
+fn saw_tooth(teeth: usize, drop: f64, is_body: bool) -> MadeRecord {
+    let mut made = MadeRecord::default();
     for _ in 0..teeth {
         for i in 0..90 {
             let v = if is_body { 0.0 } else { SPEED };
@@ -288,7 +288,7 @@ fn stick_slip_has_its_fall_and_period() {
 fn noise_waves_and_drifts_are_no_stick_slip() {
     let mut random = Random::new(9, 0);
     let (mut low_pass, mut walk) = (0.0, 0.0);
-    let mut made = [(); 4].map(|()| Made::default());
+    let mut made = [(); 4].map(|()| MadeRecord::default());
     for i in 0..100_000 {
         low_pass = 0.95 * low_pass + 0.01 * normal(&mut random);
         walk += 1e-4 * normal(&mut random);
@@ -382,7 +382,7 @@ fn positions_alone_give_the_same_strokes() {
 
 #[test]
 fn a_set_velocity_of_several_speeds_is_no_rounding() {
-    let mut made = Made::default();
+    let mut made = MadeRecord::default();
     for k in 0..10 {
         let speed = if k < 6 { SPEED } else { 0.1 * SPEED };
         let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
@@ -457,7 +457,7 @@ fn two_rows() -> StrokeRecord {
 #[test]
 fn a_stroke_that_the_record_cuts_off_is_left_out() {
     let whole = reciprocating([0.3; 11], 0.0, 0.0);
-    let part = Made {
+    let part = MadeRecord {
         t: whole.t[300..4200].to_vec(),
         v: whole.v[300..4200].to_vec(),
         f: whole.f[300..4200].to_vec(),

@@ -2,7 +2,7 @@
 
 use super::super::FitError;
 use super::law::TrackLaw;
-use super::march::{Place, march};
+use super::march::{FilmedPlace, march};
 use crate::MotionError;
 use crate::slide::planar::{Launch, PlanarSimulation, PlanarState, Plate, Resistance};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -97,7 +97,12 @@ impl Body {
     }
 
     /// Places of a round body that is launched with a speed and a rim speed, both ≥ 0.
-    pub fn roll_out(&self, law: &[f64], speeds: [f64; 2], times: &[f64]) -> Option<Vec<Place>> {
+    pub fn roll_out(
+        &self,
+        law: &[f64],
+        speeds: [f64; 2],
+        times: &[f64],
+    ) -> Option<Vec<FilmedPlace>> {
         let march = |wrench: &dyn Fn(f64, f64) -> ReducedWrench<f64>| {
             march(speeds, times, &|[v, w]| {
                 let at = wrench(v, w);
@@ -151,7 +156,7 @@ impl Body {
         launch: &Launch,
         orientation: f64,
         times: &[f64],
-    ) -> Option<Vec<Place>> {
+    ) -> Option<Vec<FilmedPlace>> {
         let plate = Plate::new(self.flat.clone()?, mu, self.gravity).ok()?;
         let plate = Coarse(plate.with_orientation(orientation));
         follow(&plate, launch, times)
@@ -166,13 +171,13 @@ fn scaled(wrench: ReducedWrench<f64>, factor: f64) -> ReducedWrench<f64> {
 }
 
 /// A resistance whose motion is followed no finer than a film shows, at the times of the frames.
-fn follow<B: Resistance>(body: &B, launch: &Launch, times: &[f64]) -> Option<Vec<Place>> {
-    let place = |point: &PlanarState| Place {
+fn follow<B: Resistance>(body: &B, launch: &Launch, times: &[f64]) -> Option<Vec<FilmedPlace>> {
+    let place = |point: &PlanarState| FilmedPlace {
         way: point.position,
         turned: point.angle,
         speed: libm::hypot(point.velocity[0], point.velocity[1]),
     };
-    let mut places: Vec<Place> = Vec::with_capacity(times.len());
+    let mut places: Vec<FilmedPlace> = Vec::with_capacity(times.len());
     let later: Vec<f64> = times.iter().copied().filter(|t| *t > 0.0).collect();
     let observe = |point: &PlanarState| {
         // Points of turns come between those that are asked for.
@@ -185,7 +190,7 @@ fn follow<B: Resistance>(body: &B, launch: &Launch, times: &[f64]) -> Option<Vec
     let end = match journey.and_then(|journey| journey.follow(&later, observe)) {
         Ok(end) => place(&end.point),
         // A body that is launched without motion stays.
-        Err(MotionError::NotFinite { step: 0 }) => Place {
+        Err(MotionError::NotFinite { step: 0 }) => FilmedPlace {
             way: [0.0; 2],
             turned: 0.0,
             speed: 0.0,

@@ -313,7 +313,7 @@ fn result(
     fit.ratio = speed / rim;
     fit.rest_time = words::rest(film.model, &values, track);
     let others = alike.iter().skip(1).map(|end| unknowns.values(&end.q));
-    fit.warnings = words::warnings(&words::Seen {
+    fit.warnings = words::warnings(&words::SeenMotion {
         fit: &fit,
         film,
         others: others.collect(),

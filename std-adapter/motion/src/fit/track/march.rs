@@ -8,7 +8,7 @@ use tribos_core::internals::runge_kutta;
 
 /// The body at one frame, in the coordinates of its launch.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Place {
+pub(super) struct FilmedPlace {
     /// Way along the launch, or along the axes of a body with edges, in m.
     pub way: [f64; 2],
     /// Angle turned; of a round body times its radius, in m.
@@ -31,7 +31,7 @@ type State = [f64; 4];
 type Rates<'a> = &'a dyn Fn([f64; 2]) -> [f64; 2];
 
 /// Places at times that do not fall, of a body launched with these speeds along its path and rim, both ≥ 0.
-pub(super) fn march(speeds: [f64; 2], times: &[f64], rates: Rates<'_>) -> Option<Vec<Place>> {
+pub(super) fn march(speeds: [f64; 2], times: &[f64], rates: Rates<'_>) -> Option<Vec<FilmedPlace>> {
     let mut places = Vec::with_capacity(times.len());
     let mut from = Moment::new(0.0, [speeds[0], speeds[1], 0.0, 0.0], rates);
     let mut wanted = times.iter().copied().peekable();
@@ -97,7 +97,7 @@ impl Moment {
     }
 
     /// A place between two nodes: polynomials of degree 5 through path, speed and deceleration at both.
-    fn between(&self, to: &Self, time: f64) -> Place {
+    fn between(&self, to: &Self, time: f64) -> FilmedPlace {
         let step = to.time - self.time;
         let u = (time - self.time) / step;
         let path = |i: usize| {
@@ -114,7 +114,7 @@ impl Moment {
             quintic(from, to, u)
         };
         let ([way, speed], [turned, _]) = (path(0), path(1));
-        Place {
+        FilmedPlace {
             way: [way, 0.0],
             turned,
             speed: speed / step,
@@ -122,7 +122,7 @@ impl Moment {
     }
 
     /// A place of the last, uniform decelerations.
-    fn stopping(&self, time: f64) -> Place {
+    fn stopping(&self, time: f64) -> FilmedPlace {
         let late = time - self.time;
         let path = |i: usize| {
             let (speed, rate) = (self.state[i].max(0.0), self.rates[i]);
@@ -139,7 +139,7 @@ impl Moment {
             ]
         };
         let ([way, speed], [turned, _]) = (path(0), path(1));
-        Place {
+        FilmedPlace {
             way: [way, 0.0],
             turned,
             speed,

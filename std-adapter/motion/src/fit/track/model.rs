@@ -3,7 +3,7 @@
 use super::super::parameter::{FitParameter, Model, Range};
 use super::body::Body;
 use super::film::Track;
-use super::march::Place;
+use super::march::FilmedPlace;
 use super::start::Guess;
 use crate::slide::Launch;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -74,7 +74,7 @@ pub(super) struct TrackModel<'a> {
 /// What decides a motion, and the motion.
 struct Followed {
     key: Vec<f64>,
-    places: Arc<[Place]>,
+    places: Arc<[FilmedPlace]>,
 }
 
 /// Motions that are kept: one Jacobian asks for no more.
@@ -173,7 +173,7 @@ impl<'a> TrackModel<'a> {
     }
 
     /// The motion at times since the first frame, in the coordinates of the launch.
-    pub fn motion(&self, values: &[f64], times: &[f64]) -> Option<Vec<Place>> {
+    pub fn motion(&self, values: &[f64], times: &[f64]) -> Option<Vec<FilmedPlace>> {
         let law = values.get(..self.body.law.parameters().len())?;
         let Start {
             velocity,
@@ -191,7 +191,7 @@ impl<'a> TrackModel<'a> {
     }
 
     /// The motion at the frames, followed once for launches that differ in place and direction alone.
-    fn followed(&self, values: &[f64]) -> Option<Arc<[Place]>> {
+    fn followed(&self, values: &[f64]) -> Option<Arc<[FilmedPlace]>> {
         let law = values.get(..self.body.law.parameters().len())?;
         let start = self.start_of(values)?;
         let mut key = law.to_vec();
@@ -211,7 +211,7 @@ impl<'a> TrackModel<'a> {
             kept[..=at].rotate_right(1);
             return kept.first().map(|known| Arc::clone(&known.places));
         }
-        let places: Arc<[Place]> = self.motion(values, &self.times)?.into();
+        let places: Arc<[FilmedPlace]> = self.motion(values, &self.times)?.into();
         kept.truncate(KEPT - 1);
         let known = Followed {
             key,
@@ -255,8 +255,8 @@ impl Model for TrackModel<'_> {
         let start = self.start_of(values)?;
         let places = self.followed(values)?;
         let ([cos, sin], per_turned) = self.frame_of_launch(&start);
-        let x = |place: &Place| start.place[0] + cos * place.way[0] - sin * place.way[1];
-        let y = |place: &Place| start.place[1] + sin * place.way[0] + cos * place.way[1];
+        let x = |place: &FilmedPlace| start.place[0] + cos * place.way[0] - sin * place.way[1];
+        let y = |place: &FilmedPlace| start.place[1] + sin * place.way[0] + cos * place.way[1];
         let mut all: Vec<f64> = places.iter().map(x).collect();
         all.extend(places.iter().map(y));
         if self.turning != Turning::Ratio {

@@ -34,7 +34,7 @@ struct Node {
 /// The sum of squares along the ratio.
 pub(super) struct Scan<'a> {
     film: &'a Weighted<'a>,
-    /// Place of the ratio among the coordinates.
+    /// FilmedPlace of the ratio among the coordinates.
     ratio: usize,
     /// By rising ratio.
     nodes: Vec<Node>,

@@ -3,10 +3,10 @@
 use super::super::estimate::Uncertainty;
 use super::super::parameter::Model;
 use super::model::{TrackModel, Turning};
-use super::words::Seen;
+use super::words::SeenMotion;
 
 /// Parameters that the film does not tell, or does not tell apart.
-pub(super) fn ambiguities(seen: &Seen<'_>) -> Vec<String> {
+pub(super) fn ambiguities(seen: &SeenMotion<'_>) -> Vec<String> {
     let (fit, model) = (seen.fit, seen.film.model);
     let mut words = Vec::new();
     if model.turning == Turning::Ratio {
@@ -69,7 +69,7 @@ pub(super) fn ambiguities(seen: &Seen<'_>) -> Vec<String> {
 }
 
 /// A film without the angle in which the coefficient follows a ratio that is not told.
-pub(super) fn trade(seen: &Seen<'_>) -> Option<String> {
+pub(super) fn trade(seen: &SeenMotion<'_>) -> Option<String> {
     /// Width of the interval, over its middle, beyond which the coefficient is not told.
     const WIDE: f64 = 0.1;
     let of = |name: &str| seen.fit.estimate(name).map(|estimate| estimate.interval);

@@ -17,7 +17,7 @@ const DOUBLINGS: usize = 12;
 const NAMED: usize = 5;
 
 /// What the words are made from.
-pub(super) struct Seen<'a> {
+pub(super) struct SeenMotion<'a> {
     pub fit: &'a TrackFit,
     pub film: &'a Weighted<'a>,
     /// Values at other minima that the frames do not exclude.
@@ -31,7 +31,7 @@ pub(super) struct Seen<'a> {
 }
 
 /// All that is to be said.
-pub(super) fn warnings(seen: &Seen<'_>) -> Vec<String> {
+pub(super) fn warnings(seen: &SeenMotion<'_>) -> Vec<String> {
     let mut words = seen.fit.track.notes().to_vec();
     words.extend(hand(seen));
     words.extend(outliers(seen));
@@ -44,7 +44,7 @@ pub(super) fn warnings(seen: &Seen<'_>) -> Vec<String> {
 }
 
 /// Readings that were left out, or too many that are far off.
-fn outliers(seen: &Seen<'_>) -> Vec<String> {
+fn outliers(seen: &SeenMotion<'_>) -> Vec<String> {
     let fit = seen.fit;
     let mut words = Vec::new();
     if !fit.dropped.is_empty() {
@@ -74,7 +74,7 @@ fn outliers(seen: &Seen<'_>) -> Vec<String> {
 }
 
 /// A film that ends while the body slides.
-fn end_of_film(seen: &Seen<'_>) -> Option<String> {
+fn end_of_film(seen: &SeenMotion<'_>) -> Option<String> {
     let fit = seen.fit;
     let speed = fit.speeds.last().copied().filter(|speed| *speed > 0.0)?;
     let stop = match fit.rest_time {
@@ -87,7 +87,7 @@ fn end_of_film(seen: &Seen<'_>) -> Option<String> {
 }
 
 /// A path that is not straight although the body is round.
-fn bend(seen: &Seen<'_>) -> Option<String> {
+fn bend(seen: &SeenMotion<'_>) -> Option<String> {
     let (fit, frames) = (seen.fit, seen.fit.frames);
     if seen.film.model.turning == Turning::Edges {
         return None;
@@ -129,7 +129,7 @@ fn bend(seen: &Seen<'_>) -> Option<String> {
 }
 
 /// Frames at the beginning in which the body becomes faster.
-fn hand(seen: &Seen<'_>) -> Option<String> {
+fn hand(seen: &SeenMotion<'_>) -> Option<String> {
     /// Windows of a film, and fewest frames of one.
     const WINDOWS: usize = 30;
     const FEWEST: usize = 4;
@@ -167,7 +167,7 @@ fn hand(seen: &Seen<'_>) -> Option<String> {
 }
 
 /// The search and its residuals.
-fn quality(seen: &Seen<'_>) -> Vec<String> {
+fn quality(seen: &SeenMotion<'_>) -> Vec<String> {
     let fit = seen.fit;
     let mut words = Vec::new();
     if let Some(chi_squared) = seen.chi_squared {
