@@ -92,7 +92,7 @@ Examples:
   tribos fit --law stribeck forces.csv --load 12.5 --fix delta=2 --fix k=0 --out out/bearing
   tribos fit --law viscous scenes/data/servo.csv --inertia --offset
   tribos fit --law lugre pull.csv --as c                   # the law as a program
-  tribos fit --law rate-state scenes/data/gouge.csv --spring fit
+  tribos fit --law rate-state scenes/data/gouge.csv --spring fit --columns v=2
   tribos fit --track scenes/data/puck.csv --out out/puck
   tribos fit --strokes scenes/data/tribometer.csv --load 20 --out out/strokes
   tribos fit --support scenes/data/pushes.csv --patch box:0.2x0.1 --out out/pushes
