@@ -173,7 +173,7 @@ impl Profile<'_> {
             if rise < self.quantile && (place <= low || place >= high) {
                 return Ok(moved);
             }
-            let factor = (self.quantile / rise).min(GROWTH).max(1.0 / GROWTH);
+            let factor = (self.quantile / rise).clamp(1.0 / GROWTH, GROWTH);
             reach = (place - at).abs() * factor;
             others = found;
         }

@@ -261,7 +261,7 @@ impl Memory for ElastoPlastic {
         let slid = velocity.abs() * dt;
         // Long slides end in steady sliding; short ones take midpoint steps.
         let needed = (slid / (BEND * most)).ceil();
-        let steps = needed.max(1.0).min(MOST_STEPS);
+        let steps = needed.clamp(1.0, MOST_STEPS);
         let step = dt * (needed.min(MOST_STEPS) / needed.max(1.0)) / steps;
         let mut z = deflection;
         for _ in 0..steps as u32 {
