@@ -127,7 +127,7 @@ impl Measurements {
         })
     }
 
-    /// The same with the load [N] at each point: friction is then a force [N], and parameters are per load.
+    /// The same with the load in N at each point: friction is then a force in N, and parameters are per load.
     ///
     /// *Domain*: finite and > 0.
     pub fn with_load(mut self, load: Vec<f64>) -> Result<Self, FitError> {
@@ -141,7 +141,7 @@ impl Measurements {
         Ok(self)
     }
 
-    /// The same with the acceleration [m/s²] at each point, to which a drive's inertia adds a force.
+    /// The same with the acceleration in m/s² at each point, to which a drive's inertia adds a force.
     ///
     /// *Domain*: finite.
     pub fn with_acceleration(mut self, acceleration: Vec<f64>) -> Result<Self, FitError> {
