@@ -238,18 +238,16 @@ pub fn predict_law(
     values: Vec<f64>,
     spring: bool,
 ) -> PyResult<Vec<f64>> {
-    /// Larger than bristles carry: they begin as in steady sliding.
-    const STEADY: f64 = 1e100;
     let law: FitLaw = law.parse().map_err(refused)?;
     let predicted = detached(py, || {
-        let force = |v: &f64| if *v == 0.0 { 0.0 } else { STEADY.copysign(*v) };
-        let friction = velocities.iter().map(force).collect();
+        // Models take their places from the data alone: any friction along the motion serves.
+        let friction = velocities.iter().map(|v| v.signum()).collect();
         let data = match times {
             Some(times) => Measurements::series(times, velocities, friction, None)?,
             None => Measurements::steady(velocities, friction, None)?,
         };
         let machine = apparatus((false, false, spring));
-        Ok(law.model_on(&data, machine)?.predict(&values))
+        Ok(law.model_on(&data, machine)?.foretell(&values))
     })?;
     let refusal = || refused("the law refuses these values");
     predicted.map_err(told)?.ok_or_else(refusal)

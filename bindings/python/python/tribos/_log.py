@@ -100,7 +100,8 @@ def look(
 
 def roles(usual: tuple[str, ...] = ()) -> list[_Role]:
     """Velocity, friction and what else a fit reads; roles whose usual names count as well."""
-    return [(name, needed, own and name not in usual) for name, needed, own in _FIT]
+    wanted = [(name, needed, own and name not in usual) for name, needed, own in _FIT]
+    return [role for role in wanted if role[0] != "a" or "a" in usual]
 
 
 def read(

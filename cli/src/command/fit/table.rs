@@ -51,16 +51,13 @@ impl Table {
             LogRole::FRICTION.needed(),
             LogRole::DEVIATION,
             LogRole::POSITION,
-            // Many logs hold more than the force: what is not asked for counts where it bears the role's own name.
-            LogRole::ACCELERATION.by_own_name(),
+            // Many logs hold a load beside a coefficient that is per load already: its own name counts, and what is asked for.
+            match law {
+                Some(FitLaw::Amontons) => LogRole::LOAD.needed(),
+                _ => LogRole::LOAD.by_own_name(),
+            },
         ];
-        roles.push(match law {
-            Some(FitLaw::Amontons) => LogRole::LOAD.needed(),
-            _ => LogRole::LOAD.by_own_name(),
-        });
-        if machine.inertia {
-            roles[5] = LogRole::ACCELERATION;
-        }
+        roles.extend(machine.inertia.then_some(LogRole::ACCELERATION));
         let mut log = read_log(path, &roles, options).map_err(explained)?;
         let friction = log.take("f").unwrap_or_default();
         let given = machine.load.map(|load| vec![load; friction.len()]);

@@ -81,6 +81,11 @@ pub trait Model: Send + Sync {
         self.predict(values)
     }
 
+    /// Predictions of a motion of which nothing was measured: it begins in steady sliding, relaxed where it begins at rest.
+    fn foretell(&self, values: &[f64]) -> Option<Vec<f64>> {
+        self.predict(values)
+    }
+
     /// Initial values for a point of the unit cube with one coordinate per parameter; the middle is the best guess.
     fn start(&self, unit: &[f64]) -> Vec<f64>;
 

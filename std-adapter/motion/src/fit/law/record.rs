@@ -134,6 +134,26 @@ impl<M: Memory> Model for Record<'_, M> {
         Some(friction)
     }
 
+    fn foretell(&self, values: &[f64]) -> Option<Vec<f64>> {
+        /// Friction that no state carries.
+        const LARGE: f64 = 1e100;
+        let law = M::new(values)?;
+        let first = *self.velocities.first()?;
+        let carried = if first == 0.0 {
+            0.0
+        } else {
+            LARGE.copysign(first)
+        };
+        let mut state = law.first(first, carried);
+        let at = |(point, velocity): (usize, &f64)| {
+            if point > 0 {
+                state = self.advance(&law, state, point);
+            }
+            law.friction(state, *velocity)
+        };
+        Some(self.velocities.iter().enumerate().map(at).collect())
+    }
+
     fn start(&self, unit: &[f64]) -> Vec<f64> {
         (M::FORM.start)(&self.guess, unit)
     }
