@@ -56,7 +56,9 @@ def lugre_steady(v: Any) -> Any:
 def test_programs_of_fitted_laws_have_friction_of_the_law(capsys: Any) -> None:
     laws = PROGRAMS.read_text(encoding="utf-8").split("\n## ")[1:]
     for law in laws:
-        program, wanted = (law.split(f"```{kind}\n")[1].split("```")[0] for kind in ("python", "text"))
+        program, wanted = (
+            law.split(f"```{kind}\n")[1].split("```")[0] for kind in ("python", "text")
+        )
         # Programs print for people; here all digits count.
         exec(program.replace(":.9f", ":.17g"), {})
         told = np.loadtxt(capsys.readouterr().out.replace(" m/s:", "").splitlines())

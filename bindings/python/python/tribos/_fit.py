@@ -321,7 +321,9 @@ def fit(
     usual = (("a",) if inertia else ()) + (("load",) if law == "amontons" else ())
     log = read(data, roles(usual), columns, units, skip)
     machine, keep = _machine(inertia, offset, spring, fixed)
-    made = _native.fit_law(law, _columns(log, load, slowest, inertia), machine, keep, _count(starts))
+    made = _native.fit_law(
+        law, _columns(log, load, slowest, inertia), machine, keep, _count(starts)
+    )
     return _law_fit(made, log, machine)
 
 
@@ -355,7 +357,9 @@ def compare(
     """
     log = read(data, roles(("a",) if inertia else ()), columns, units, skip)
     machine, keep = _machine(inertia, offset, None, fixed)
-    found, _ = _native.fit_all_laws(_columns(log, load, slowest, inertia), machine, keep, _count(starts))
+    found, _ = _native.fit_all_laws(
+        _columns(log, load, slowest, inertia), machine, keep, _count(starts)
+    )
     return [
         Compared(
             _law_fit(made, log, machine), made["akaike"], made["foretold"], made["is_told_apart"]
