@@ -70,7 +70,7 @@ pub struct Arguments {
         hide_possible_values = true
     )]
     target: Option<As>,
-    /// Form of what is printed: text or json.
+    /// Form of what is printed: text, unless json is asked for.
     #[arg(
         long,
         value_enum,

@@ -33,11 +33,11 @@ pub struct FilmArguments {
     /// Last time of the film that is used [s]; frames in which the body rests after its stop may stay.
     #[arg(long, requires = "track", value_name = "T", value_parser = number::finite, allow_hyphen_values = true)]
     to: Option<f64>,
-    /// Gravity [m/s²].
-    #[arg(long, requires = "track", value_parser = number::positive, default_value = "9.81")]
+    /// Gravity [m/s²], 9.81 unless it is given.
+    #[arg(long, requires = "track", value_parser = number::positive, default_value = "9.81", hide_default_value = true)]
     gravity: f64,
-    /// I/(M R²) of a round body: 0.5 for a solid disk, 1 for a hoop; a box is of uniform thickness.
-    #[arg(long, requires = "track", value_parser = number::positive, default_value = "0.5")]
+    /// I/(M R²) of a round body: 0.5 as of a solid disk unless it is given, 1 for a hoop; a box is of uniform thickness.
+    #[arg(long, requires = "track", value_parser = number::positive, default_value = "0.5", hide_default_value = true)]
     inertia_ratio: f64,
     /// Frames per second, where t is the number of the frame.
     #[arg(long, requires = "track", value_name = "HZ", value_parser = number::positive)]
