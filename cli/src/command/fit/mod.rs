@@ -76,7 +76,8 @@ pub struct Arguments {
         value_enum,
         default_value = "text",
         conflicts_with = "target",
-        hide_possible_values = true
+        hide_possible_values = true,
+        hide_default_value = true
     )]
     format: Format,
     /// Folder for tables and pictures, created if missing; files of an earlier command in it are removed first. The folder of a
