@@ -18,11 +18,13 @@
 //!
 //! ```
 //! use tribos::fit::track::{Track, TrackOptions, fit_track};
-//! // A puck that does not spin: 1 m/s, μ = 0.2, g = 9.81 m/s².
+//! // A puck that is known not to spin: 1 m/s, μ = 0.2, g = 9.81 m/s². Without that, one that spins under a larger
+//! // coefficient would fit as well.
 //! let times: Vec<f64> = (0..30).map(|k| f64::from(k) / 60.0).collect();
 //! let x = times.iter().map(|t| t - 0.5 * 0.2 * 9.81 * t * t).collect();
 //! let track = Track::new(times, x, vec![0.0; 30], None)?;
-//! let found = fit_track(&track, &TrackOptions::default())?;
+//! let options = TrackOptions { fixed: vec![("ratio".into(), 1000.0)], ..TrackOptions::default() };
+//! let found = fit_track(&track, &options)?;
 //! let mu = found.value("mu").ok_or("no mu")?;
 //! assert!((mu - 0.2).abs() < 1e-4);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
