@@ -130,7 +130,7 @@ impl<'a> Mounted<'a> {
 /// Half widths, in points, of differences that are tried.
 const WIDTHS: [usize; 6] = [1, 2, 4, 8, 16, 32];
 /// Share of noise in accelerations that is small enough.
-const QUIET: f64 = 0.02;
+const QUIET: f64 = 0.2;
 
 /// Slopes of the velocity by differences, and the share of noise in their variance. The differences are as narrow as
 /// noise allows: neighbours that share no velocity must agree.
