@@ -7,8 +7,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use tribos::fit::support::{MeasuredPush, SupportFit, fit_support_within};
 use tribos::fit::{
-    Apparatus, Fit, FitColumns, FitError, FitLaw, FitOptions, FittedLaw, Measurements, Uncertainty,
-    Usage, UsageTarget, compare,
+    Apparatus, Estimate, Fit, FitColumns, FitError, FitLaw, FitOptions, FittedLaw, Measurements,
+    Uncertainty, Usage, UsageTarget, compare,
 };
 use tribos::friction::{Area, Flat};
 use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
@@ -33,6 +33,7 @@ pub struct Columns {
     load: Option<Vec<f64>>,
     rest: f64,
     inertia: bool,
+    offset: bool,
 }
 
 impl From<Columns> for FitColumns {
@@ -45,6 +46,7 @@ impl From<Columns> for FitColumns {
             acceleration: columns.a,
             load: columns.load,
             rest: columns.rest,
+            has_offset: columns.offset,
             wants_acceleration: columns.inertia,
         }
     }
@@ -169,13 +171,9 @@ pub fn fit_usage(
     }
 }
 
-fn result<'py>(
-    py: Python<'py>,
-    law: FitLaw,
-    fit: &Fit,
-    is_per_load: bool,
-) -> PyResult<Bound<'py, PyDict>> {
-    let estimates = fit.parameters.iter().map(|estimate| {
+/// Fitted parameters, a dictionary each.
+pub fn entries<'py>(py: Python<'py>, estimates: &[Estimate]) -> PyResult<Vec<Bound<'py, PyDict>>> {
+    let entries = estimates.iter().map(|estimate| {
         let parameter = &estimate.parameter;
         let entry = PyDict::new(py);
         entry.set_item("name", parameter.name)?;
@@ -194,11 +192,19 @@ fn result<'py>(
         entry.set_item("trades_with", others)?;
         Ok(entry)
     });
-    let estimates: PyResult<Vec<_>> = estimates.collect();
+    entries.collect()
+}
+
+fn result<'py>(
+    py: Python<'py>,
+    law: FitLaw,
+    fit: &Fit,
+    is_per_load: bool,
+) -> PyResult<Bound<'py, PyDict>> {
     let count = fit.covariance.nrows();
     let covariance = (0..count).map(|i| (0..count).map(|j| fit.covariance[(i, j)]).collect());
     let answer = PyDict::new(py);
-    answer.set_item("estimates", estimates?)?;
+    answer.set_item("estimates", entries(py, &fit.parameters)?)?;
     answer.set_item("covariance", covariance.collect::<Vec<Vec<f64>>>())?;
     answer.set_item("predictions", &fit.predictions)?;
     answer.set_item("cost", fit.cost)?;

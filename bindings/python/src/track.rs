@@ -1,11 +1,12 @@
 //! Friction, radius and launch of filmed bodies.
 
 use crate::arrays::refused;
+use crate::fit::entries;
 use crate::threads::detached;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use tribos::fit::FitError;
 use tribos::fit::track::{Track, TrackFit, TrackOptions, fit_track as fit};
-use tribos::fit::{FitError, Uncertainty};
 use tribos::friction::Patch;
 
 /// Times, x, y, and angles if there are any.
@@ -51,28 +52,8 @@ pub fn fit_track<'py>(
 }
 
 fn result<'py>(py: Python<'py>, fit: &TrackFit) -> PyResult<Bound<'py, PyDict>> {
-    let estimates = fit.parameters.iter().map(|estimate| {
-        let parameter = &estimate.parameter;
-        let entry = PyDict::new(py);
-        entry.set_item("name", parameter.name)?;
-        entry.set_item("unit", parameter.unit)?;
-        entry.set_item("meaning", parameter.meaning)?;
-        entry.set_item("value", estimate.value)?;
-        let (error, state, others) = match &estimate.known {
-            Uncertainty::StandardError(error) => (*error, "determined", Vec::new()),
-            Uncertainty::Fixed => (0.0, "fixed", Vec::new()),
-            Uncertainty::AtBound => (f64::NAN, "at its bound", Vec::new()),
-            Uncertainty::Undetermined(others) => (f64::NAN, "not determined", others.clone()),
-        };
-        entry.set_item("error", error)?;
-        entry.set_item("state", state)?;
-        entry.set_item("trades_with", others)?;
-        entry.set_item("interval", estimate.interval)?;
-        Ok(entry)
-    });
-    let estimates: PyResult<Vec<_>> = estimates.collect();
     let answer = PyDict::new(py);
-    answer.set_item("estimates", estimates?)?;
+    answer.set_item("estimates", entries(py, &fit.parameters)?)?;
     answer.set_item("law", &fit.law)?;
     answer.set_item("rms", fit.rms_position)?;
     answer.set_item("rms_angle", fit.rms_angle)?;

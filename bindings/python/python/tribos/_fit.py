@@ -322,7 +322,7 @@ def fit(
     log = read(data, roles(usual), columns, units, skip)
     machine, keep = _machine(inertia, offset, spring, fixed)
     made = _native.fit_law(
-        law, _columns(log, load, slowest, inertia), machine, keep, _count(starts)
+        law, _columns(log, load, slowest, machine), machine, keep, _count(starts)
     )
     return _law_fit(made, log, machine)
 
@@ -358,7 +358,7 @@ def compare(
     log = read(data, roles(("a",) if inertia else ()), columns, units, skip)
     machine, keep = _machine(inertia, offset, None, fixed)
     found, _ = _native.fit_all_laws(
-        _columns(log, load, slowest, inertia), machine, keep, _count(starts)
+        _columns(log, load, slowest, machine), machine, keep, _count(starts)
     )
     return [
         Compared(
@@ -387,7 +387,9 @@ def _machine(
     return (bool(inertia), bool(offset), spring is not None), keep
 
 
-def _columns(log: Log, load: float | None, slowest: float, inertia: bool) -> dict[str, Any]:
+def _columns(
+    log: Log, load: float | None, slowest: float, machine: tuple[bool, bool, bool]
+) -> dict[str, Any]:
     """Columns by role, with a load that is given as one, and how they are to be taken."""
     rest = number("slowest", slowest)
     if rest < 0.0:
@@ -400,26 +402,23 @@ def _columns(log: Log, load: float | None, slowest: float, inertia: bool) -> dic
         if table["load"] is not None:
             raise ValueError("a column load and load are both given; leave one out")
         table["load"] = [positive("load", load)] * len(log.columns["f"])
-    return {**table, "rest": rest, "inertia": bool(inertia)}
+    return {**table, "rest": rest, "inertia": machine[0], "offset": machine[1]}
+
+
+def estimates_of(rows: list[dict[str, Any]]) -> tuple[Estimate, ...]:
+    """Fitted parameters."""
+    pairs = {"trades_with": tuple, "interval": tuple}
+    made = ({key: pairs.get(key, lambda x: x)(value) for key, value in row.items()} for row in rows)
+    return tuple(Estimate(**row) for row in made)
 
 
 def _law_fit(made: dict[str, Any], log: Log, machine: tuple[bool, bool, bool]) -> LawFit:
     free = sum(row["state"] == "determined" for row in made["estimates"])
-    estimates = [
-        Estimate(
-            **{
-                **row,
-                "trades_with": tuple(row["trades_with"]),
-                "interval": (row["interval"][0], row["interval"][1]),
-            }
-        )
-        for row in made["estimates"]
-    ]
     counts = zip(("at rest", "without a load"), made["left_out"], strict=True)
     left_out = {why: count for why, count in counts if count}
     return LawFit(
         name=made["name"],
-        estimates=tuple(estimates),
+        estimates=estimates_of(made["estimates"]),
         covariance=np.array(made["covariance"]).reshape(free, free),
         predictions=np.array(made["predictions"]),
         deviation=made["deviation"],

@@ -11,7 +11,7 @@ import numpy as np
 
 from tribos import _native, _patches
 from tribos._checks import number, positive
-from tribos._fit import Array, Estimate, _told
+from tribos._fit import Array, Estimate, _told, estimates_of
 from tribos._friction import Friction
 from tribos._laws import Law
 from tribos._log import read
@@ -28,8 +28,6 @@ class TrackFit:
     estimates : tuple of Estimate
         All parameters: those of the law, ``R`` (or ``ratio`` without the angle), and the launch at the first
         frame, ``x0``, ``y0``, ``vx``, ``vy``, ``angle0``, ``spin``.
-    intervals : dict of str to tuple of float
-        Profile intervals of 95 %; infinite or 0 where the film sets no bound.
     law : Law
         The fitted law.
     patch : str
@@ -55,7 +53,6 @@ class TrackFit:
     """
 
     estimates: tuple[Estimate, ...]
-    intervals: dict[str, tuple[float, float]]
     law: Law
     patch: str
     rms: float
@@ -78,6 +75,11 @@ class TrackFit:
     def parameters(self) -> dict[str, float]:
         """Values by name."""
         return {estimate.name: estimate.value for estimate in self.estimates}
+
+    @property
+    def intervals(self) -> dict[str, tuple[float, float]]:
+        """Intervals of 95 % by name; infinite or 0 where the film sets no bound."""
+        return {estimate.name: estimate.interval for estimate in self.estimates}
 
     @property
     def errors(self) -> dict[str, float]:
@@ -235,13 +237,10 @@ def fit_track(
         ),
         (0, start, stop, count),
     )
-    rows = made.pop("estimates")
-    intervals = {row["name"]: tuple(row.pop("interval")) for row in rows}
-    estimates = [Estimate(**{**row, "trades_with": tuple(row["trades_with"])}) for row in rows]
+    estimates = estimates_of(made.pop("estimates"))
     residuals: Array = np.array(made.pop("residuals")).reshape(-1, made["rows"])
     return TrackFit(
-        estimates=tuple(estimates),
-        intervals=intervals,
+        estimates=estimates,
         law=Law(made.pop("law")),
         patch=patch,
         dropped=tuple(made.pop("dropped")),

@@ -29,7 +29,7 @@ impl Report<'_> {
         let formula = self.law.formula(self.table.is_record());
         text += &format!("law           {}: {formula}\n", self.law.name());
         for estimate in &self.fit.parameters {
-            text += &self.line(estimate);
+            text += &line(estimate, &self.unit(&estimate.parameter));
         }
         text += &self.quality();
         for caution in &self.fit.cautions {
@@ -39,28 +39,6 @@ impl Report<'_> {
             Some(spec) => text + &format!("as a law      {spec}\n"),
             None => text,
         }
-    }
-
-    fn line(&self, estimate: &Estimate) -> String {
-        let parameter = &estimate.parameter;
-        let (value, how) = match &estimate.known {
-            Uncertainty::StandardError(error) => value_with_error(estimate.value, *error),
-            Uncertainty::Fixed => (plain(estimate.value), "fixed".into()),
-            Uncertainty::AtBound => (plain(estimate.value), "at its bound".into()),
-            Uncertainty::Undetermined(_) => {
-                (format!("{:.3e}", estimate.value), "not determined".into())
-            }
-        };
-        let unit = self.unit(parameter);
-        let interval = match &estimate.known {
-            Uncertainty::Fixed | Uncertainty::Undetermined(_) => String::new(),
-            _ if estimate.interval.iter().all(|end| end.is_infinite()) => String::new(),
-            _ => interval(estimate.interval),
-        };
-        format!(
-            "{:<13} {value:<14} {how:<14} {interval:<23} [{unit}] {}\n",
-            parameter.name, parameter.meaning
-        )
     }
 
     /// Whether parameters are per load, as coefficients are: friction was a force at known loads.
@@ -148,22 +126,9 @@ impl Report<'_> {
 
     /// The same for programs.
     pub fn json(&self) -> Value {
-        let parameters = self.fit.parameters.iter().map(|estimate| {
-            let (error, state) = match &estimate.known {
-                Uncertainty::StandardError(error) => (*error, "determined"),
-                Uncertainty::Fixed => (0.0, "fixed"),
-                Uncertainty::AtBound => (f64::NAN, "at its bound"),
-                Uncertainty::Undetermined(_) => (f64::NAN, "not determined"),
-            };
-            json!({
-                "name": estimate.parameter.name,
-                "value": json_number(estimate.value),
-                "error": json_number(error),
-                "interval": estimate.interval.map(json_number),
-                "unit": self.unit(&estimate.parameter),
-                "state": state,
-            })
-        });
+        let parameters = self.fit.parameters.iter();
+        let parameters =
+            parameters.map(|estimate| parameter_json(estimate, &self.unit(&estimate.parameter)));
         let dropped: u64 = self.table.dropped.iter().map(|(_, count)| count).sum();
         let reasons = self.table.dropped.iter();
         let reasons = reasons.map(|(why, count)| json!({"why": why, "rows": count}));
@@ -285,6 +250,46 @@ impl Report<'_> {
     }
 }
 
+/// A fitted parameter for the person at the terminal.
+pub fn line(estimate: &Estimate, unit: &str) -> String {
+    let parameter = &estimate.parameter;
+    let (value, how) = match &estimate.known {
+        Uncertainty::StandardError(error) => value_with_error(estimate.value, *error),
+        Uncertainty::Fixed => (plain(estimate.value), "fixed".into()),
+        Uncertainty::AtBound => (plain(estimate.value), "at its bound".into()),
+        Uncertainty::Undetermined(_) => {
+            (format!("{:.3e}", estimate.value), "not determined".into())
+        }
+    };
+    let interval = match &estimate.known {
+        Uncertainty::Fixed | Uncertainty::Undetermined(_) => String::new(),
+        _ if estimate.interval.iter().all(|end| end.is_infinite()) => String::new(),
+        _ => interval(estimate.interval),
+    };
+    format!(
+        "{:<13} {value:<14} {how:<14} {interval:<23} [{unit}] {}\n",
+        parameter.name, parameter.meaning
+    )
+}
+
+/// A fitted parameter for programs.
+pub fn parameter_json(estimate: &Estimate, unit: &str) -> Value {
+    let (error, state) = match &estimate.known {
+        Uncertainty::StandardError(error) => (*error, "determined"),
+        Uncertainty::Fixed => (0.0, "fixed"),
+        Uncertainty::AtBound => (f64::NAN, "at its bound"),
+        Uncertainty::Undetermined(_) => (f64::NAN, "not determined"),
+    };
+    json!({
+        "name": estimate.parameter.name,
+        "value": json_number(estimate.value),
+        "error": json_number(error),
+        "interval": estimate.interval.map(json_number),
+        "unit": unit,
+        "state": state,
+    })
+}
+
 /// A unit divided by that of the load.
 fn per_load(unit: &'static str) -> &'static str {
     match unit {
@@ -344,7 +349,7 @@ pub fn shown_value(x: f64) -> String {
 }
 
 /// A value that has no error.
-pub fn plain(value: f64) -> String {
+fn plain(value: f64) -> String {
     if value == 0.0 {
         "0".into()
     } else {
@@ -353,7 +358,7 @@ pub fn plain(value: f64) -> String {
 }
 
 /// Value and error with two digits of the error.
-pub fn value_with_error(value: f64, error: f64) -> (String, String) {
+fn value_with_error(value: f64, error: f64) -> (String, String) {
     /// Values that are written without a power of ten.
     const EVERYDAY: std::ops::Range<f64> = 1e-3..1e5;
     /// f64 has no more digits.

@@ -76,6 +76,7 @@ impl Table {
             acceleration: log.take("a").filter(|_| machine.inertia),
             load: given.or(column),
             rest: machine.slowest,
+            has_offset: machine.offset,
             wants_acceleration: machine.inertia,
         };
         let found = columns.prepared(law);

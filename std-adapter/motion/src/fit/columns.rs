@@ -22,6 +22,8 @@ pub struct FitColumns {
     pub load: Option<Vec<f64>>,
     /// Speed in m/s up to which a sample counts as at rest under laws of sliding.
     pub rest: f64,
+    /// Whether a constant force is in the friction, which then has a sign of its own.
+    pub has_offset: bool,
     /// Whether accelerations are wanted: without a column they are slopes of the velocity.
     pub wants_acceleration: bool,
 }
@@ -62,7 +64,7 @@ impl FitColumns {
     /// # Ok::<(), tribos::fit::FitError>(())
     /// ```
     pub fn prepared(mut self, law: Option<FitLaw>) -> Result<Prepared, FitError> {
-        let is_signed_by_velocity = self.is_without_sign();
+        let is_signed_by_velocity = !self.has_offset && self.is_without_sign();
         if is_signed_by_velocity {
             for (f, v) in self.friction.iter_mut().zip(&self.velocities) {
                 *f *= v.signum();

@@ -61,13 +61,16 @@ pub fn compare(
     // The same number of independent points for all laws: that of the best.
     let best_fit = all.iter().min_by(|a, b| a.fit.cost.total_cmp(&b.fit.cost));
     let factor = best_fit.map_or(1.0, |best| best.fit.error_factor);
+    // Residuals below it are rounding: laws without any other are alike.
+    let floor = WeightedData::new(data).floor_of_squares();
+    let rounding = floor.max(f64::MIN_POSITIVE);
     for one in &mut all {
         let free = points - one.fit.freedoms as f64;
         let independent = points / (factor * factor);
         let misfit = if one.fit.is_weighted {
             one.fit.cost / (factor * factor)
         } else {
-            independent * libm::log(one.fit.cost / points)
+            independent * libm::log(one.fit.cost.max(rounding) / points)
         };
         one.akaike = misfit + 2.0 * free;
     }

@@ -215,11 +215,26 @@ impl Measurements {
     }
 }
 
-/// Refuses friction that drives the body.
+/// Refuses friction that drives the body: where it moves both ways, beside a constant force.
 fn resists(velocities: &[f64], friction: &[f64]) -> Result<(), FitError> {
     let along = velocities.iter().zip(friction);
     let work: f64 = along.map(|(v, f)| f.copysign(f * v)).sum();
-    if work > 0.0 {
+    let mean = |sign: f64| {
+        let of_sign = velocities
+            .iter()
+            .zip(friction)
+            .filter(|(v, _)| **v * sign > 0.0);
+        // By size, so that sums do not overflow.
+        let (sum, count) = of_sign.fold((0.0, 0.0), |(mean, n), (_, f)| {
+            let count: f64 = n + 1.0;
+            (mean + (f - mean) / count, count)
+        });
+        (count > 0.0).then_some(sum)
+    };
+    let resists_both_ways = mean(1.0)
+        .zip(mean(-1.0))
+        .is_some_and(|(forth, back)| forth > back);
+    if work > 0.0 || resists_both_ways {
         return Ok(());
     }
     Err(FitError::Whole(

@@ -3,11 +3,12 @@
 use super::Measurements;
 use super::caution::Caution;
 use super::error::FitError;
+use super::minimise::OFFSET;
 use super::parameter::{Between, FitParameter, Model};
 use super::refine::Paths;
 use super::result::Certified;
 use super::sample::WeightedData;
-use super::search::{FitProgress, search};
+use super::search::{FitProgress, descents, search};
 use super::unknowns::Unknowns;
 use nalgebra::DMatrix;
 use std::sync::Mutex;
@@ -166,11 +167,18 @@ pub fn fit_watched(
     for returns in 0..=MOST_RETURNS {
         let refined = paths.refine(minima);
         let is_last = returns == MOST_RETURNS;
-        let result = Certified::of(&paths, &found, refined, is_last)?;
-        match result {
+        let lower = match Certified::of(&paths, &found, refined, is_last)? {
             Certified::Fit(fit) => return Ok(*fit),
-            Certified::Lower(start) => minima = vec![(start, 1)],
-        }
+            Certified::Lower(place) => place,
+        };
+        let ends = descents(
+            &unknowns,
+            (&target, OFFSET),
+            &found.lengths,
+            &[lower],
+            &watch,
+        );
+        minima = ends.into_iter().flatten().map(|end| (end, 1)).collect();
     }
     Err(FitError::NoStart)
 }

@@ -152,6 +152,8 @@ impl Profile<'_> {
         };
         let mut others = self.values.to_vec();
         let slopes = self.slopes(parameter);
+        // The distance of the nearest place that the data, or the law, are known to refuse.
+        let mut refused = f64::INFINITY;
         for _ in 0..MOST {
             let place = (at + side * reach).max(low).min(high);
             if place == at {
@@ -159,6 +161,7 @@ impl Profile<'_> {
             }
             let moved = range.value(place);
             let Some((cost, found)) = self.at((parameter, moved), &others, slopes.as_ref()) else {
+                refused = refused.min((place - at).abs());
                 reach *= 0.5;
                 continue;
             };
@@ -173,11 +176,15 @@ impl Profile<'_> {
             if rise < self.quantile && (place <= low || place >= high) {
                 return Ok(moved);
             }
+            if rise > self.quantile {
+                refused = refused.min((place - at).abs());
+            }
             let factor = (self.quantile / rise).clamp(1.0 / GROWTH, GROWTH);
             reach = (place - at).abs() * factor;
             others = found;
         }
-        Ok(range.value((at + side * reach).max(low).min(high)))
+        // A search that ended on its count gives an interval that is too long rather than too short.
+        Ok(range.value((at + side * refused).max(low).min(high)))
     }
 
     /// The natural size of a parameter that is at its bound.
@@ -189,10 +196,11 @@ impl Profile<'_> {
     /// Bounds of the parameter's coordinate.
     fn ends_of_range(&self, parameter: usize, [low, high]: [f64; 2]) -> [f64; 2] {
         let model = self.unknowns.model;
-        if model.above(parameter).is_some() {
-            return [low, high];
-        }
-        let [least, most] = model.limits(parameter);
+        let [least, most] = match (model.limits(parameter), model.above(parameter)) {
+            (limits, None) => limits,
+            // Limits of the excess over another parameter.
+            ([_, most], Some(lower)) => [f64::NEG_INFINITY, self.values[lower] + most],
+        };
         let range = model.parameters()[parameter].range;
         let inside = |value: f64, otherwise: f64| {
             if value.is_finite() && range.admits(value) {

@@ -8,7 +8,6 @@ use super::hints::hints;
 use super::interval::{Profile, Profiled, student};
 use super::jacobian::Order;
 use super::linearised::Linearised;
-use super::minimise::Minimum;
 use super::refine::{Paths, Refined};
 use super::residual_tests::{ResidualTests, residual_tests};
 use super::search::{Search, problem};
@@ -24,8 +23,8 @@ pub(super) const CORRELATED: f64 = 1e-4;
 pub(super) enum Certified {
     /// The result.
     Fit(Box<Fit>),
-    /// Where to search on.
-    Lower(Minimum),
+    /// Coordinates from which to search on.
+    Lower(Vec<f64>),
 }
 
 impl Certified {
@@ -41,7 +40,10 @@ impl Certified {
         let (best, at_best) = refined.minima.first().ok_or(FitError::NoStart)?;
         let residuals = |q: &[f64]| paths.target.residuals(&unknowns, q);
         let problem = problem(&residuals, &unknowns, paths.target, paths.lengths);
-        let at = Linearised::at(&problem, &best.q, Order::Fourth).ok_or(FitError::NoStart)?;
+        // Far out wider differences may leave the law's domain.
+        let at = Linearised::at(&problem, &best.q, Order::Fourth)
+            .or_else(|| Linearised::at(&problem, &best.q, Order::Second))
+            .ok_or(FitError::NoStart)?;
         let values = unknowns.values(&best.q);
         let (data, unit) = (paths.data, paths.target.unit);
         let freedoms = at.residuals.len() - unknowns.sought.len();
@@ -74,10 +76,7 @@ impl Certified {
                 Profiled::Intervals(intervals) => intervals,
                 Profiled::Lower(_) if is_last => profile.linear(&certain.known),
                 Profiled::Lower(lower) => {
-                    return Ok(Self::Lower(Minimum {
-                        q: unknowns.coordinates(&lower),
-                        ..best.clone()
-                    }));
+                    return Ok(Self::Lower(unknowns.coordinates(&lower)));
                 }
             }
         };

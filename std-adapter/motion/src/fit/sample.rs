@@ -96,6 +96,11 @@ impl WeightedData {
         weighted.sum::<f64>().sqrt()
     }
 
+    /// The same in the unit of friction.
+    pub fn floor_of_squares(&self) -> f64 {
+        self.floor() / self.unit / self.unit
+    }
+
     /// Sum of squares below which residuals are rounding.
     pub fn floor(&self) -> f64 {
         let grain = f64::EPSILON * self.size();

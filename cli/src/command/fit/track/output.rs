@@ -1,16 +1,13 @@
 //! What a fit of a film says and leaves behind.
 
-use super::super::output::{plain, value_with_error};
+use super::super::output::{line, parameter_json};
 use crate::command::digits::shown;
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::path::Path;
-use tribos::fit::Uncertainty;
-use tribos::fit::track::{TrackEstimate, TrackFit, TrackOptions};
-use tribos::record::{json_number, significant, write_atomically, write_series};
-
-/// Significant digits of the ends of an interval.
-const INTERVAL_DIGITS: usize = 5;
+use tribos::fit::track::{TrackFit, TrackOptions};
+use tribos::fit::{Estimate, Uncertainty};
+use tribos::record::{json_number, write_atomically, write_series};
 
 /// For the person at the terminal.
 pub fn text(fit: &TrackFit, options: &TrackOptions) -> String {
@@ -22,7 +19,7 @@ pub fn text(fit: &TrackFit, options: &TrackOptions) -> String {
         shown(options.gravity)
     );
     for estimate in &fit.parameters {
-        text += &line(estimate);
+        text += &line(estimate, estimate.parameter.unit);
     }
     let angle = fit.rms_angle.map_or(String::new(), |angle| {
         format!(", {} deg of the angle", shown(angle.to_degrees()))
@@ -46,33 +43,8 @@ pub fn text(fit: &TrackFit, options: &TrackOptions) -> String {
     text + &format!("as a law      {}\n", fit.law)
 }
 
-fn line(estimate: &TrackEstimate) -> String {
-    let parameter = &estimate.parameter;
-    let (value, how) = match &estimate.known {
-        Uncertainty::StandardError(error) => value_with_error(estimate.value, *error),
-        Uncertainty::Fixed => (plain(estimate.value), "fixed".into()),
-        Uncertainty::AtBound => (plain(estimate.value), "at its bound".into()),
-        Uncertainty::Undetermined(_) => {
-            (format!("{:.3e}", estimate.value), "not determined".into())
-        }
-    };
-    let interval = match estimate.known {
-        Uncertainty::Fixed => String::new(),
-        _ => {
-            let [low, high] = estimate
-                .interval
-                .map(|end| significant(end, INTERVAL_DIGITS));
-            format!("95 % {low} to {high}  ")
-        }
-    };
-    format!(
-        "{:<13} {value:<14} {how:<14} {interval}[{}] {}\n",
-        parameter.name, parameter.unit, parameter.meaning
-    )
-}
-
 /// State of a parameter, and its standard error where it has one.
-fn state(estimate: &TrackEstimate) -> (&'static str, Option<f64>) {
+fn state(estimate: &Estimate) -> (&'static str, Option<f64>) {
     match &estimate.known {
         Uncertainty::StandardError(error) => ("fitted", Some(*error)),
         Uncertainty::Fixed => ("fixed", None),
@@ -83,17 +55,8 @@ fn state(estimate: &TrackEstimate) -> (&'static str, Option<f64>) {
 
 /// The same for programs.
 pub fn json(fit: &TrackFit, options: &TrackOptions) -> Value {
-    let parameters = fit.parameters.iter().map(|estimate| {
-        let (known, error) = state(estimate);
-        json!({
-            "name": estimate.parameter.name,
-            "value": json_number(estimate.value),
-            "error": error.map(json_number),
-            "interval": estimate.interval.map(json_number),
-            "unit": estimate.parameter.unit,
-            "known": known,
-        })
-    });
+    let parameters = fit.parameters.iter();
+    let parameters = parameters.map(|estimate| parameter_json(estimate, estimate.parameter.unit));
     json!({
         "law": fit.law,
         "patch": options.patch.to_string(),

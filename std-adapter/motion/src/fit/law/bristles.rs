@@ -108,24 +108,27 @@ impl Memory for LuGre<f64> {
     }
 }
 
+/// Parameters and starts of what bends and then yields at the Coulomb force.
+pub(super) const YIELDING: Form = Form {
+    parameters: &[COULOMB_FORCE, STIFFNESS],
+    linear: &["fc"],
+    ordered: None,
+    reference: None,
+    start: |guess, unit| {
+        vec![
+            guess.coulomb * around(unit[0], 1.5),
+            guess.stiffness * around(unit[1], STIFFNESS_FOLD),
+        ]
+    },
+};
+
 /// Dahl's law z' = v (1 − σ₀ z sgn v/F_c), F = σ₀ z.
 ///
 /// *Source*: Dahl 1968.
 pub(super) struct Dahl(LuGre<f64>);
 
 impl Memory for Dahl {
-    const FORM: Form = Form {
-        parameters: &[COULOMB_FORCE, STIFFNESS],
-        linear: &["fc"],
-        ordered: None,
-        reference: None,
-        start: |guess, unit| {
-            vec![
-                guess.coulomb * around(unit[0], 1.5),
-                guess.stiffness * around(unit[1], STIFFNESS_FOLD),
-            ]
-        },
-    };
+    const FORM: Form = YIELDING;
     const FORGETS: bool = true;
     const IS_LINEAR: bool = true;
     type State = Bristle<f64>;

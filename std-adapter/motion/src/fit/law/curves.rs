@@ -49,7 +49,7 @@ impl Curve for Viscous {
     };
 
     fn new(values: &[f64]) -> Option<Self> {
-        Some(Self([*values.first()?, *values.get(1)?]))
+        values.try_into().ok().map(Self)
     }
 
     fn friction(&self, speed: f64, _: f64) -> f64 {
@@ -146,7 +146,7 @@ impl Curve for Tanh {
     const FORM: Form = SMOOTHED;
 
     fn new(values: &[f64]) -> Option<Self> {
-        Some(Self([*values.first()?, *values.get(1)?]))
+        values.try_into().ok().map(Self)
     }
 
     fn friction(&self, speed: f64, _: f64) -> f64 {
@@ -161,7 +161,7 @@ impl Curve for Arctan {
     const FORM: Form = SMOOTHED;
 
     fn new(values: &[f64]) -> Option<Self> {
-        Some(Self([*values.first()?, *values.get(1)?]))
+        values.try_into().ok().map(Self)
     }
 
     fn friction(&self, speed: f64, _: f64) -> f64 {
@@ -199,10 +199,7 @@ impl Curve for Rising {
     };
 
     fn new(values: &[f64]) -> Option<Self> {
-        let &[mu_s, mu_f, speed] = values else {
-            return None;
-        };
-        (speed > 0.0).then_some(Self([mu_s, mu_f, speed]))
+        values.try_into().ok().map(Self)
     }
 
     fn friction(&self, speed: f64, _: f64) -> f64 {
@@ -274,7 +271,7 @@ impl Curve for Amontons {
     };
 
     fn new(values: &[f64]) -> Option<Self> {
-        Some(Self([*values.first()?, *values.get(1)?]))
+        values.try_into().ok().map(Self)
     }
 
     fn friction(&self, _: f64, load: f64) -> f64 {

@@ -1,7 +1,7 @@
 //! Laws of springs that yield: one, and several side by side.
 
 use super::super::parameter::Range;
-use super::bristles::{COULOMB_FORCE, STIFFNESS};
+use super::bristles::YIELDING;
 use super::form::{Form, around, parameter};
 use super::record::Memory;
 
@@ -12,18 +12,7 @@ pub(super) struct ElasticPlastic {
 }
 
 impl Memory for ElasticPlastic {
-    const FORM: Form = Form {
-        parameters: &[COULOMB_FORCE, STIFFNESS],
-        linear: &["fc"],
-        ordered: None,
-        reference: None,
-        start: |guess, unit| {
-            vec![
-                guess.coulomb * around(unit[0], 1.5),
-                guess.stiffness * around(unit[1], 30.0),
-            ]
-        },
-    };
+    const FORM: Form = YIELDING;
     const FORGETS: bool = true;
     /// The force.
     type State = f64;

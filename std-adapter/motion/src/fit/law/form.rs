@@ -48,7 +48,9 @@ impl Form {
             "fs" | "mu_s" => [0.0, 10.0 * force],
             "delta" => [0.05, 20.0],
             "dc" => [1e-3 * shortest, 10.0 * whole],
-            "s0" => [1e-3 * force / whole, 1e3 * force / shortest],
+            "s0" | "k1" | "k2" | "k3" => [1e-3 * force / whole, 1e3 * force / shortest],
+            // Less friction than a millionth of the largest is none.
+            "fc" | "f1" | "f2" | "f3" | "a" => [1e-6 * force, 100.0 * force],
             _ => [f64::NEG_INFINITY, f64::INFINITY],
         }
     }

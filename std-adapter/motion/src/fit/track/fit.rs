@@ -1,7 +1,7 @@
 //! The search: several starts, noise and outliers, errors and intervals.
 
 use super::super::error::FitError;
-use super::super::estimate::Uncertainty;
+use super::super::estimate::{Estimate, Uncertainty};
 use super::super::halton::halton;
 use super::super::minimise::{Minimum, OFFSET};
 use super::super::parameter::Model;
@@ -14,7 +14,7 @@ use super::profile::intervals;
 use super::scan::widened;
 use super::weighted::{Noise, ROUGH, Weighted, first_noise};
 use super::words;
-use super::{TrackEstimate, TrackFit, TrackOptions};
+use super::{TrackFit, TrackOptions};
 
 /// Standard deviations beyond which a reading is an outlier, and the largest share of frames that may be.
 const OUTLYING: f64 = 6.0;
@@ -279,14 +279,14 @@ fn result(
         .enumerate()
         .map(|(j, parameter)| {
             let place = unknowns.sought.iter().position(|&sought| sought == j);
-            TrackEstimate {
+            Estimate {
                 parameter: *parameter,
                 value: values[j],
                 known: place.map_or(Uncertainty::Fixed, |k| errors.known(film, k, &values)),
                 interval: place.map_or([values[j]; 2], |k| intervals[k]),
             }
         });
-    let parameters: Vec<TrackEstimate> = parameters.collect();
+    let parameters: Vec<Estimate> = parameters.collect();
     let raw = film.raw(&values).ok_or(FitError::NoStart)?;
     let frames = film.model.frames();
     let dropped = (0..frames).filter(|&i| !film.is_kept[0][i] || !film.is_kept[1][i]);

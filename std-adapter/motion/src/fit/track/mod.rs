@@ -50,7 +50,7 @@ mod words;
 pub use film::Track;
 pub use law::TrackLaw;
 
-use super::{FitError, FitParameter, Uncertainty};
+use super::{Estimate, FitError};
 use tribos_friction::Patch;
 
 /// How a film is fitted.
@@ -99,26 +99,13 @@ impl Default for TrackOptions {
     }
 }
 
-/// A parameter of the motion.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TrackEstimate {
-    /// Description of the parameter.
-    pub parameter: FitParameter,
-    /// Value of the parameter.
-    pub value: f64,
-    /// Standard error of the value, or why it has none.
-    pub known: Uncertainty,
-    /// Profile interval of 95 %; infinite or 0 where the film sets no bound.
-    pub interval: [f64; 2],
-}
-
 /// A motion fitted to a film.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TrackFit {
     /// The law, as other commands take it.
     pub law: String,
     /// Parameters of the law, `R` or `ratio`, and the launch at the first frame.
-    pub parameters: Vec<TrackEstimate>,
+    pub parameters: Vec<Estimate>,
     /// Number of frames that were taken.
     pub frames: usize,
     /// Those of them of which a reading was left out.
@@ -156,7 +143,7 @@ impl TrackFit {
     }
 
     /// A parameter by its name.
-    pub fn estimate(&self, name: &str) -> Option<&TrackEstimate> {
+    pub fn estimate(&self, name: &str) -> Option<&Estimate> {
         self.parameters
             .iter()
             .find(|estimate| estimate.parameter.name == name)

@@ -4,6 +4,7 @@ mod laws;
 mod odd;
 
 use super::*;
+use crate::fit::Uncertainty;
 use filmed::{Disk, Filmed, GRAVITY};
 use nalgebra::{DVector as Vector, Matrix3, Vector3};
 use tribos_base::random::Random;

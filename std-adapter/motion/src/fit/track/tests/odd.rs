@@ -2,6 +2,7 @@
 
 use super::filmed::{Disk, Filmed, RATE};
 use super::*;
+use crate::fit::Uncertainty;
 
 const PUCK: Filmed = Filmed {
     mu: 0.2,
