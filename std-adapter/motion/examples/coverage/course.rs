@@ -82,8 +82,8 @@ impl VelocityCourse {
         }
     }
 
-    /// Forward only, over a range of speeds.
-    pub fn forward(random: &mut Random, cycles: f64) -> Self {
+    /// Forward only, over a range of speeds, each of which is held for a while at least.
+    pub fn forward(random: &mut Random, cycles: f64, hold: f64) -> Self {
         let low = log_uniform(random, [0.005, 0.2]);
         if random.unit() < 0.4 {
             return Self::Waves { low };
@@ -99,7 +99,8 @@ impl VelocityCourse {
                 low * uniform(random, [1.0, 3.0]).min(step)
             };
             levels.push(level);
-            time += 0.5 * low / level * if levels.len() == 1 { 0.2 } else { 1.0 } + 0.02;
+            let share = if levels.len() == 1 { 0.2 } else { 1.0 };
+            time += 0.5 * low / level * share + hold;
             high = !high;
         }
         let ramp = if random.unit() < 0.5 { 0.0 } else { 0.01 };

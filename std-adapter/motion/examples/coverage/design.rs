@@ -334,11 +334,15 @@ fn joint(random: &mut Random, law: FitLaw, s: &Scale) -> Result<Record, FitError
     )
 }
 
+/// Fewest samples at a speed that is held.
+const HELD: f64 = 10.0;
+
 /// Rate and state, forward.
 fn rock(random: &mut Random, (law, form): (FitLaw, Form), s: &Scale) -> Result<Record, FitError> {
     let cycles = uniform(random, [2.0, 6.0]);
     let period = log_uniform(random, [1.0, 100.0]);
-    let course = VelocityCourse::forward(random, cycles);
+    let hold = HELD * cycles / s.rows as f64;
+    let course = VelocityCourse::forward(random, cycles, hold);
     let times = samples(random, s.rows, cycles);
     let distance: f64 = times
         .windows(2)
@@ -390,6 +394,11 @@ fn over_time(
     [speed, period, noise]: [f64; 3],
     (times, share): (Vec<f64>, f64),
 ) -> Result<Record, FitError> {
+        eprintln!(
+            "course {}",
+            format!("{course:?}").chars().take(60).collect::<String>()
+        );
+    }
     let v = |t: f64| speed * course.velocity(t / period);
     let times: Vec<f64> = times.iter().map(|t| t * period).collect();
     let mut state = law.first(v(times[0]), share);

@@ -1,6 +1,7 @@
 //! Measurements: friction at speeds, or over time.
 
 use super::FitError;
+use std::borrow::Cow;
 
 /// Motion of the surfaces.
 #[derive(Clone, Debug, PartialEq)]
@@ -202,6 +203,14 @@ impl Measurements {
     pub(super) fn per_load(&self, point: usize) -> f64 {
         let load = self.load.as_ref().map_or(1.0, |load| load[point]);
         self.friction[point] / load
+    }
+
+    /// Friction of all points per load, if loads are known.
+    pub(super) fn all_per_load(&self) -> Cow<'_, [f64]> {
+        match self.load {
+            None => Cow::Borrowed(&self.friction),
+            Some(_) => (0..self.friction.len()).map(|i| self.per_load(i)).collect(),
+        }
     }
 
     /// Smallest and largest nonzero |velocity|.

@@ -3,12 +3,11 @@
 use super::Measurements;
 use super::caution::Caution;
 use super::error::FitError;
-use super::minimise::OFFSET;
 use super::parameter::{Between, FitParameter, Model};
 use super::refine::Paths;
 use super::result::Certified;
 use super::sample::WeightedData;
-use super::search::{FitProgress, descents, search};
+use super::search::{FitProgress, search};
 use super::unknowns::Unknowns;
 use nalgebra::DMatrix;
 use std::sync::Mutex;
@@ -163,22 +162,19 @@ pub fn fit_watched(
         lengths: &found.lengths,
         watch: &watch,
     };
-    let mut minima = found.minima.clone();
+    let refined = paths.refine(found.minima.clone());
+    let mut refined = refined.ok_or(FitError::NoStart)?;
+    let mut is_last = false;
     for returns in 0..=MOST_RETURNS {
-        let refined = paths.refine(minima);
-        let is_last = returns == MOST_RETURNS;
-        let lower = match Certified::of(&paths, &found, refined, is_last)? {
+        is_last |= returns == MOST_RETURNS;
+        let lower = match Certified::of(&paths, &found, &refined, is_last)? {
             Certified::Fit(fit) => return Ok(*fit),
             Certified::Lower(place) => place,
         };
-        let ends = descents(
-            &unknowns,
-            (&target, OFFSET),
-            &found.lengths,
-            &[lower],
-            &watch,
-        );
-        minima = ends.into_iter().flatten().map(|end| (end, 1)).collect();
+        match paths.lower(&refined, lower) {
+            Some(lower) => refined = lower,
+            None => is_last = true,
+        }
     }
     Err(FitError::NoStart)
 }

@@ -4,7 +4,7 @@
 use super::estimate::Uncertainty;
 use super::jacobian::{DifferenceScale, Order};
 use super::linearised::Linearised;
-use super::minimise::{Problem, minimise};
+use super::minimise::{Problem, Stall, minimise};
 use super::reduce::reduced;
 use super::sample::WeightedData;
 use super::search::problem;
@@ -21,6 +21,12 @@ const MOST: usize = 8;
 const GROWTH: f64 = 4.0;
 /// Relative offset at which a minimisation on the profile ends.
 const OFFSET: f64 = 1e-4;
+/// When a minimisation has stalled: the rise of the sum of squares is known well enough.
+const STALL: Stall = Stall {
+    share: 1e-3,
+    steps: 5,
+    ..Stall::ROUGH
+};
 /// Decrease of the sum of squares that is another minimum, in variances.
 const LOWER: f64 = 0.02;
 /// Most steps with the slopes at the minimum, before slopes are taken anew.
@@ -152,7 +158,7 @@ impl Profile<'_> {
         };
         let mut others = self.values.to_vec();
         let slopes = self.slopes(parameter);
-        // The distance of the nearest place that the data, or the law, are known to refuse.
+        // The distance of the nearest place that the data are known to refuse.
         let mut refused = f64::INFINITY;
         for _ in 0..MOST {
             let place = (at + side * reach).max(low).min(high);
@@ -161,7 +167,6 @@ impl Profile<'_> {
             }
             let moved = range.value(place);
             let Some((cost, found)) = self.at((parameter, moved), &others, slopes.as_ref()) else {
-                refused = refused.min((place - at).abs());
                 reach *= 0.5;
                 continue;
             };
@@ -253,6 +258,10 @@ impl Profile<'_> {
         let lengths: Vec<_> = lengths.map(|(k, _)| self.lengths[k]).collect();
         let mut problem = problem(residuals, unknowns, self.target, &lengths);
         problem.offset = OFFSET;
+        problem.stall = Stall {
+            above: self.cost,
+            ..STALL
+        };
         problem
     }
 

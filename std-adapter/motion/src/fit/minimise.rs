@@ -18,6 +18,8 @@ pub(super) struct Problem<'a> {
     /// Bates and Watts 1981) below which a search has converged: parameters are good to this fraction of
     /// their standard errors.
     pub offset: f64,
+    /// When to give up.
+    pub stall: Stall,
 }
 
 impl Problem<'_> {
@@ -36,7 +38,7 @@ pub(super) struct Minimum {
     pub q: Vec<f64>,
     /// Σ r²
     pub cost: f64,
-    /// Whether only rounding limits further descent.
+    /// Whether only rounding, or a kink, limits further descent.
     pub converged: bool,
     /// Steps taken.
     pub iterations: usize,
@@ -58,15 +60,49 @@ const PRECISE: f64 = 1e-3;
 /// If such a step overshoots and the offset grows, later steps are halved; below this fraction only
 /// rounding changes the offset.
 const SHORTEST: f64 = 1.0 / 64.0;
-/// The offset that counts as converged if rounding ends the descent.
-const ROUGH_OFFSET: f64 = 1e-4;
+/// Part of a standard error that a step would still change where rounding or a kink ends the descent, and the search
+/// counts as converged.
+const SMALL: f64 = 0.1;
 
 /// Singular value over the largest below which a direction has no effect, so no step is taken along it.
 const FLAT: f64 = 1e-10;
 
-/// Relative decrease of the cost in a step, and number of such steps, after which a rough search ends: where a law has
-/// kinks, descent may go on for long without a gain.
-const STALLED: (f64, usize) = (1e-7, 3);
+/// When a search has stalled: where a law has kinks, descent may go on for long without a gain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Stall {
+    /// Decrease of the cost in a step, over its excess, that is a gain.
+    pub share: f64,
+    /// The cost above which the excess counts.
+    pub above: f64,
+    /// Number of steps in a row without a gain.
+    pub steps: usize,
+}
+
+impl Stall {
+    /// All that is left to gain is far below what tells two values apart.
+    pub const PRECISE: Self = Self {
+        share: 1e-10,
+        above: 0.0,
+        steps: 10,
+    };
+    /// Of a search that another one continues.
+    pub const ROUGH: Self = Self {
+        share: 1e-7,
+        steps: 3,
+        ..Self::PRECISE
+    };
+
+    /// For a search that ends at a relative offset.
+    pub fn of(offset: f64) -> Self {
+        /// From here on others continue the search.
+        const ROUGH: f64 = 1e-4;
+        if offset >= ROUGH {
+            Self::ROUGH
+        } else {
+            Self::PRECISE
+        }
+    }
+}
 
 /// Searches from `start`, and passes the number of each step to `watch`; `None` if the model refuses `start`.
 pub(super) fn minimise(
@@ -83,7 +119,7 @@ pub(super) fn minimise(
     };
     let mut iterations = 0;
     let mut order = Order::Second;
-    let mut stalled = 0;
+    let (mut stalled, mut least) = (0, f64::INFINITY);
     loop {
         let Iterate { q, residuals, cost } = &place;
         watch(iterations);
@@ -94,7 +130,8 @@ pub(super) fn minimise(
             order = Order::Fourth;
         }
         let is_done = *cost <= problem.floor || offset <= problem.offset;
-        let is_over = iterations == MOST || stalled == STALLED.1;
+        let is_stalled = stalled == problem.stall.steps;
+        let is_over = iterations == MOST || is_stalled;
         let next = if is_done || is_over {
             None
         } else if offset <= NEAR {
@@ -104,16 +141,21 @@ pub(super) fn minimise(
         };
         match next {
             Some(next) => {
-                let gains = place.cost - next.cost > STALLED.0 * place.cost;
-                let is_rough = problem.offset >= ROUGH_OFFSET;
-                stalled = if gains || !is_rough { 0 } else { stalled + 1 };
+                let worth = problem.stall.share * (place.cost - problem.stall.above).abs();
+                let closer = offset < 0.5 * least;
+                if closer {
+                    least = offset;
+                }
+                let gains = place.cost - next.cost > worth || closer;
+                stalled = if gains { 0 } else { stalled + 1 };
                 place = next;
             }
             None => {
+                let part = offset * (place.residuals.len() as f64).sqrt();
                 return Some(Minimum {
                     q: place.q,
                     cost: place.cost,
-                    converged: is_done || offset <= ROUGH_OFFSET,
+                    converged: is_done || part <= SMALL,
                     iterations,
                 });
             }

@@ -33,6 +33,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod abrupt;
 mod apparatus;
 mod caution;
 mod columns;

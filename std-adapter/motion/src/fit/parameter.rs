@@ -139,14 +139,11 @@ pub struct Between {
 pub enum VelocityCourse {
     /// On a straight line.
     Straight,
-    /// On a curve whose slope at a point is the mean of its neighbours' differences.
+    /// On the natural cubic spline through the points.
     Smooth,
-    /// By a jump in the middle.
-    JumpsMidway,
-    /// By a jump at once after the first point.
-    JumpsAtOnce,
-    /// By a jump at the second point.
-    JumpsLate,
+    /// By a jump where the velocity changes abruptly, at the instant that suits the friction after it best; straight
+    /// elsewhere.
+    Jumps,
 }
 
 impl Between {

@@ -1,12 +1,13 @@
 //! The motion between the points of a record: steps until the answer no longer depends on them.
 
 use super::Measurements;
+use super::abrupt::{is_stepped, jumps};
 use super::jacobian::{DifferenceScale, Order};
 use super::linearised::Linearised;
 use super::minimise::{Minimum, OFFSET};
 use super::parameter::{Between, Model, VelocityCourse};
 use super::sample::WeightedData;
-use super::search::{ProgressWatch, descents, problem};
+use super::search::{ProgressWatch, ROUGH, descents, problem};
 use super::unknowns::Unknowns;
 
 /// Change of a parameter, in standard errors, that more steps may still make.
@@ -17,11 +18,8 @@ const TOLD: f64 = 0.5;
 const REFUTED: f64 = 10.0;
 /// Share of the change by a refuted course that the better one may still miss.
 const MISSED: f64 = 0.1;
-/// Share of a jump's displacement that a ramp between two points may hide.
+/// Share of the change by jumps that the data have not decided.
 const HIDDEN: f64 = 0.5;
-/// Change of the velocity between two points that is abrupt: over the largest velocity, and that of a neighbour
-/// over it.
-const ABRUPT: [f64; 2] = [0.1, 0.25];
 /// Change of a parameter, over the parameter, that is rounding.
 const NOTHING: f64 = 1e-4;
 /// Factor from one number of steps to the next: errors shrink by its square.
@@ -30,10 +28,6 @@ const MORE: u32 = 4;
 const MOST: u32 = 64;
 /// Most steps in a record.
 const MOST_IN_ALL: usize = 20_000_000;
-/// Share of the intervals of a record whose velocity stays, from which on it changes by jumps.
-const STEADY: f64 = 0.8;
-/// Change of the velocity that is a jump, and the largest that is none, over the velocity.
-const JUMP: [f64; 2] = [0.2, 1e-3];
 
 /// A change of one parameter, in its standard errors, by what the record leaves open.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,7 +77,7 @@ pub(super) struct Paths<'a, 'b> {
 
 impl<'a> Paths<'a, '_> {
     /// Minima at which neither more steps nor another course between the points count any more, or what they change.
-    pub fn refine(&self, minima: Vec<(Minimum, usize)>) -> Refined<'a> {
+    pub fn refine(&self, minima: Vec<(Minimum, usize)>) -> Option<Refined<'a>> {
         let mut found = Refined {
             model: None,
             minima,
@@ -91,27 +85,32 @@ impl<'a> Paths<'a, '_> {
             by_steps: None,
             by_course: None,
         };
-        if self.model.along(Between::PLAIN).is_none() {
-            return found;
-        }
-        if is_stepped(self.data.velocities()) {
-            for course in [
-                VelocityCourse::JumpsMidway,
-                VelocityCourse::JumpsAtOnce,
-                VelocityCourse::JumpsLate,
-            ] {
-                let other = self.on(Between { steps: 1, course }, &found.minima);
-                if let Some(other) = other
+        if self.model.along(Between::PLAIN).is_some() {
+            if is_stepped(self.data.velocities()) {
+                let jumps = Between {
+                    steps: 1,
+                    course: VelocityCourse::Jumps,
+                };
+                if let Some(other) = self.on(jumps, &found.minima, ROUGH)
                     && cost(&other.minima) < cost(&found.minima)
                 {
                     found = other;
                 }
+            } else {
+                self.more_steps(&mut found);
+                self.choose_course(&mut found);
             }
-            return found;
         }
-        self.more_steps(&mut found);
-        self.choose_course(&mut found);
-        found
+        self.precise(&found)
+    }
+
+    /// The same minima without the errors of a rough search.
+    fn precise(&self, found: &Refined<'a>) -> Option<Refined<'a>> {
+        Some(Refined {
+            by_steps: found.by_steps,
+            by_course: found.by_course,
+            ..self.on(found.path, &found.minima, OFFSET)?
+        })
     }
 
     /// Takes the course between the points, straight or smooth, that suits the data better, and tells what another one
@@ -123,11 +122,11 @@ impl<'a> Paths<'a, '_> {
         };
         let mut told = self.shift(found, smooth);
         if told.is_some()
-            && let Some(mut other) = self.on(smooth, &found.minima)
+            && let Some(mut other) = self.on(smooth, &found.minima, ROUGH)
         {
+            self.more_steps(&mut other);
             if cost(&other.minima) < cost(&found.minima) {
                 std::mem::swap(found, &mut other);
-                self.more_steps(found);
             }
             let freedoms = self.data.friction().len() - self.unknowns.sought.len();
             let variance = cost(&found.minima) / freedoms as f64;
@@ -135,15 +134,34 @@ impl<'a> Paths<'a, '_> {
                 told = told.map(|shift| shift.part(MISSED));
             }
         }
-        let mut counts: Vec<Shift> = told.into_iter().collect();
-        if has_abrupt(self.data.velocities()) {
-            for course in [VelocityCourse::JumpsAtOnce, VelocityCourse::JumpsLate] {
-                let jumps = self.shift(found, Between { steps: 1, course });
-                counts.extend(jumps.map(|shift| shift.part(HIDDEN)));
-            }
-        }
-        let counts = counts.into_iter().filter(|shift| shift.errors > TOLD);
+        let by_jumps = self.by_jumps(found);
+        let counts = told.into_iter().chain(by_jumps);
+        let counts = counts.filter(|shift| shift.errors > TOLD);
         found.by_course = counts.max_by(|a, b| a.errors.total_cmp(&b.errors));
+    }
+
+    /// Takes jumps where the velocity changes abruptly, if the data ask for them, or tells what they would change.
+    fn by_jumps(&self, found: &mut Refined<'a>) -> Option<Shift> {
+        let count = jumps(self.data.velocities()).len();
+        if count == 0 {
+            return None;
+        }
+        let path = Between {
+            steps: found.path.steps,
+            course: VelocityCourse::Jumps,
+        };
+        let mut other = self.on(path, &found.minima, ROUGH)?;
+        // The instant of each is a freedom (Akaike 1974).
+        let freedoms = self.data.friction().len() - self.unknowns.sought.len();
+        let variance = cost(&other.minima) / freedoms as f64;
+        if cost(&other.minima) + 2.0 * count as f64 * variance < cost(&found.minima) {
+            std::mem::swap(found, &mut other);
+            self.more_steps(found);
+            return self
+                .shift(found, other.path)
+                .map(|shift| shift.part(MISSED));
+        }
+        self.shift(found, path).map(|shift| shift.part(HIDDEN))
     }
 
     /// Takes more steps until they no longer count.
@@ -158,32 +176,46 @@ impl<'a> Paths<'a, '_> {
             if found.by_steps.is_none() || next.steps > MOST || steps > MOST_IN_ALL {
                 return;
             }
-            match self.on(next, &found.minima) {
+            match self.on(next, &found.minima, ROUGH) {
                 Some(finer) => *found = finer,
                 None => return,
             }
         }
     }
 
-    /// The minima on another path.
-    fn on(&self, path: Between, from: &[(Minimum, usize)]) -> Option<Refined<'a>> {
-        let model = self.model.along(path)?;
-        let unknowns = self.unknowns.with(model.as_ref());
+    /// The minimum on the same path that a search from these coordinates finds, if it is lower.
+    pub fn lower(&self, found: &Refined<'a>, place: Vec<f64>) -> Option<Refined<'a>> {
+        let (best, _) = found.minima.first()?;
+        let start = Minimum {
+            q: place,
+            ..best.clone()
+        };
+        let mut lower = self.on(found.path, &[(start, 1)], ROUGH)?;
+        lower.by_course = found.by_course;
+        if self.model.along(found.path).is_some() {
+            self.more_steps(&mut lower);
+        }
+        let lower = self.precise(&lower)?;
+        (cost(&lower.minima) < best.cost).then_some(lower)
+    }
+
+    /// The minima on another path, to a relative offset.
+    fn on(&self, path: Between, from: &[(Minimum, usize)], offset: f64) -> Option<Refined<'a>> {
+        let model = match path {
+            Between::PLAIN => None,
+            _ => Some(self.model.along(path)?),
+        };
+        let unknowns = self.unknowns.with(model.as_deref().unwrap_or(self.model));
         let places: Vec<Vec<f64>> = from.iter().map(|(end, _)| end.q.clone()).collect();
-        let ends = descents(
-            &unknowns,
-            (self.target, OFFSET),
-            self.lengths,
-            &places,
-            self.watch,
-        );
+        let target = (self.target, offset);
+        let ends = descents(&unknowns, target, self.lengths, &places, self.watch);
         let counted = ends.into_iter().zip(from);
         let mut minima: Vec<_> = counted
             .filter_map(|(end, (_, count))| Some((end?, *count)))
             .collect();
         minima.sort_by(|(a, _), (b, _)| a.cost.total_cmp(&b.cost));
         (!minima.is_empty()).then_some(Refined {
-            model: Some(model),
+            model,
             minima,
             path,
             by_steps: None,
@@ -231,32 +263,4 @@ impl<'a> Paths<'a, '_> {
 
 fn cost(minima: &[(Minimum, usize)]) -> f64 {
     minima.first().map_or(f64::INFINITY, |(end, _)| end.cost)
-}
-
-/// Whether the velocity stays but for jumps.
-fn is_stepped(velocities: &[f64]) -> bool {
-    let [jump, stay] = JUMP;
-    let change = |pair: &[f64]| (pair[1] - pair[0]).abs() / pair[0].abs().max(pair[1].abs());
-    let stays = velocities.windows(2).filter(|pair| {
-        let change = change(pair);
-        change.is_nan() || change <= stay
-    });
-    let jumps = velocities.windows(2).any(|pair| change(pair) >= jump);
-    jumps && stays.count() as f64 >= STEADY * (velocities.len() - 1) as f64
-}
-
-/// Whether the velocity changes much between two points, but little before or after.
-fn has_abrupt(velocities: &[f64]) -> bool {
-    let [much, little] = ABRUPT;
-    let largest = velocities
-        .iter()
-        .fold(0.0, |most: f64, v| v.abs().max(most));
-    let change = |a: f64, b: f64| (b - a).abs();
-    velocities.windows(4).any(|v| match *v {
-        [a, b, c, d] => {
-            let size = change(b, c);
-            size >= much * largest && change(a, b).min(change(c, d)) < little * size
-        }
-        _ => false,
-    })
 }

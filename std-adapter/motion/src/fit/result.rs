@@ -32,7 +32,7 @@ impl Certified {
     pub fn of(
         paths: &Paths<'_, '_>,
         search: &Search,
-        refined: Refined<'_>,
+        refined: &Refined<'_>,
         is_last: bool,
     ) -> Result<Self, FitError> {
         let model = refined.model.as_deref().unwrap_or(paths.model);
@@ -69,12 +69,16 @@ impl Certified {
             quantile,
         };
         let steps = at.residuals.len() * refined.path.steps as usize * unknowns.sought.len();
+        let mut converged = best.converged;
         let intervals = if steps > MOST_PROFILED || best.cost <= problem.floor {
             profile.linear(&certain.known)
         } else {
             match profile.intervals(&certain.known) {
                 Profiled::Intervals(intervals) => intervals,
-                Profiled::Lower(_) if is_last => profile.linear(&certain.known),
+                Profiled::Lower(_) if is_last => {
+                    converged = false;
+                    profile.linear(&certain.known)
+                }
                 Profiled::Lower(lower) => {
                     return Ok(Self::Lower(unknowns.coordinates(&lower)));
                 }
@@ -96,7 +100,7 @@ impl Certified {
             deviation: at.deviation() / unit,
             freedoms,
             is_weighted: data.sigma().is_some(),
-            converged: best.converged,
+            converged,
             starts: search.starts,
             at_best: *at_best,
             iterations: best.iterations,

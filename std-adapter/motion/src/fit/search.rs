@@ -5,7 +5,7 @@ use super::error::FitError;
 use super::halton::halton;
 use super::jacobian::DifferenceScale;
 use super::linear::improved;
-use super::minimise::{Minimum, OFFSET, Problem, minimise};
+use super::minimise::{Minimum, OFFSET, Problem, Stall, minimise};
 use super::sample::{WeightedData, sample};
 use super::unknowns::Unknowns;
 use tribos_base::run::in_order;
@@ -29,7 +29,7 @@ pub(super) type ProgressWatch<'a> = dyn Fn(FitProgress) + Sync + 'a;
 
 /// What the searches found.
 pub(super) struct Search {
-    /// Different minima by rising cost, with the number of searches that ended there.
+    /// Different minima by rising cost, roughly, with the number of searches that ended there.
     pub minima: Vec<(Minimum, usize)>,
     /// Lengths over which predictions change.
     pub lengths: Vec<DifferenceScale>,
@@ -46,8 +46,9 @@ const MOST_REFINED: usize = 3;
 const ALIKE: f64 = 25.0;
 /// Searches that must agree before no more are begun, if there are at least as many.
 const ENOUGH: usize = 3;
-/// Relative offset at which the search from a start ends: its sum of squares is then known to the square of this.
-const ROUGH: f64 = 1e-4;
+/// Relative offset at which a search ends that another one continues: its sum of squares is then known to the square of
+/// this.
+pub(super) const ROUGH: f64 = 1e-4;
 /// Factor by which the number of starts may grow.
 const MOST_MORE: usize = 8;
 
@@ -94,7 +95,7 @@ pub(super) fn search(
     let candidates = distinct(ends, floor, freedoms);
     let places = candidates.iter().map(|(end, _)| unknowns.in_order(&end.q));
     let places: Vec<Vec<f64>> = places.collect();
-    let refined = descents(unknowns, (target, OFFSET), &lengths, &places, watch);
+    let refined = descents(unknowns, (target, ROUGH), &lengths, &places, watch);
     let counted = refined.into_iter().zip(&candidates);
     let counted = counted.filter_map(|(end, (_, count))| Some((end?, *count)));
     let mut candidates: Vec<_> = counted.collect();
@@ -132,6 +133,7 @@ pub(super) fn problem<'a>(
         lengths: lengths.to_vec(),
         floor: target.floor(),
         offset: OFFSET,
+        stall: Stall::of(OFFSET),
     }
 }
 
@@ -162,6 +164,7 @@ pub(super) fn descents(
     let residuals = |q: &[f64]| target.residuals(unknowns, q);
     let mut problem = problem(&residuals, unknowns, target, lengths);
     problem.offset = offset;
+    problem.stall = Stall::of(offset);
     let descent = |index: usize| {
         let mut step = |steps| {
             watch(FitProgress {

@@ -1,6 +1,7 @@
-//! Where a record begins, and begins anew after a gap: the state there is the one that suits the friction measured
-//! after it best, so that neither its noise nor an unknown past changes the parameters.
+//! Where a record begins, and begins anew after a gap or a jump of the velocity: the state there is the one that suits
+//! the friction measured after it best, so that neither its noise nor an unknown past changes the parameters.
 
+use super::course::MIDWAY;
 use super::record::Memory;
 use std::borrow::Cow;
 
@@ -8,15 +9,16 @@ use std::borrow::Cow;
 const GAP: f64 = 4.0;
 /// Largest share of the points that are gaps; beyond, a record is sampled at random and has none.
 const MOST_GAPS: f64 = 0.01;
-/// Change of the state for its effect, over the largest state.
+/// Change of an unknown for its effect: of a state over the largest one, of an instant over the interval.
 const CHANGE: f64 = 1e-4;
 /// Share of the effect from which on the state counts as forgotten.
 const FORGOTTEN: f64 = 1e-6;
-/// Most points that tell a state.
+/// Most points that tell an unknown.
 const MOST_POINTS: usize = 400;
-/// Most steps of the search for a state.
+/// Most steps of the search for a state, and for the instant of a jump.
 const MOST_STEPS: usize = 3;
-/// Step that ends the search, over the largest state.
+const MOST_OF_JUMPS: usize = 8;
+/// Step that ends the search.
 const CLOSE: f64 = 1e-9;
 
 /// Points where a state begins: the first, and those after gaps.
@@ -54,58 +56,118 @@ impl<M: Memory> Stretch<'_, M> {
         self.measured[point] - self.beside.get(point).unwrap_or(&0.0)
     }
 
-    /// The state at the beginning with the least sum of squares after it, by Gauss–Newton steps.
+    /// The state at the beginning with the least sum of squares after it.
     pub fn state(&self, advance: &impl Fn(M::State, usize) -> M::State) -> M::State {
         let begin = self.points[0];
         let velocity = self.velocities[begin];
-        let mut state = self.law.first(velocity, self.measured(begin));
-        for _ in 0..if M::IS_LINEAR { 1 } else { MOST_STEPS } {
-            let (next, size) = self.step(state, advance);
-            state = next;
-            if size < CLOSE {
-                break;
-            }
-        }
-        state
+        let first = self.law.first(velocity, self.measured(begin));
+        let shifted = |state, share| self.law.shifted(state, share, velocity);
+        let steps = if M::IS_LINEAR { 1 } else { MOST_STEPS };
+        let search = Sought {
+            first,
+            steps,
+            points: self.points,
+            change: CHANGE,
+        };
+        search.state(|state| state, shifted, advance, &self.misfit())
     }
 
-    /// One step, and its size.
-    fn step(
+    /// The state at the beginning after a jump of the velocity, as it follows from the instant of the jump, at the
+    /// instant with the least sum of squares after it.
+    pub fn after_jump(
         &self,
-        state: M::State,
+        jump: &impl Fn(f64) -> M::State,
         advance: &impl Fn(M::State, usize) -> M::State,
-    ) -> (M::State, f64) {
-        let [begin, end] = self.points;
-        let velocity = self.velocities[begin];
-        // A state at its limit is moved inwards.
-        let mut change = CHANGE;
-        let mut there = self.law.shifted(state, change, velocity);
-        if there == state {
-            change = -CHANGE;
-            there = self.law.shifted(state, change, velocity);
+    ) -> M::State {
+        after_jump((self.points, CHANGE), jump, advance, &self.misfit())
+    }
+
+    /// Friction in a state less what was measured.
+    fn misfit(&self) -> impl Fn(&M::State, usize) -> f64 {
+        |state, point| self.law.friction(*state, self.velocities[point]) - self.measured(point)
+    }
+}
+
+/// The state at the first of some points after a jump of the velocity, as it follows from the share of the interval at
+/// which the jump lies, with the least sum of squares of the misfit. Effects are those of a change of this share.
+pub(super) fn after_jump<S: Clone>(
+    (points, change): ([usize; 2], f64),
+    jump: &impl Fn(f64) -> S,
+    advance: &impl Fn(S, usize) -> S,
+    misfit: &impl Fn(&S, usize) -> f64,
+) -> S {
+    let search = Sought {
+        first: MIDWAY,
+        steps: MOST_OF_JUMPS,
+        points,
+        change,
+    };
+    let shifted = |share: f64, change: f64| (share + change).clamp(0.0, 1.0);
+    search.state(jump, shifted, advance, misfit)
+}
+
+/// An unknown that is sought at the first of some points, in at most this number of Gauss–Newton steps.
+struct Sought<X> {
+    first: X,
+    steps: usize,
+    points: [usize; 2],
+    /// Change of the unknown for its effect.
+    change: f64,
+}
+
+impl<X: Copy + PartialEq> Sought<X> {
+    /// The state that the unknown brings about at the value with the least sum of squares of the misfit.
+    fn state<S: Clone>(
+        &self,
+        state: impl Fn(X) -> S,
+        shifted: impl Fn(X, f64) -> X,
+        advance: &impl Fn(S, usize) -> S,
+        misfit: &impl Fn(&S, usize) -> f64,
+    ) -> S {
+        let mut x = self.first;
+        for _ in 0..self.steps {
+            // An unknown at its limit is moved inwards.
+            let mut change = self.change;
+            let mut beside = shifted(x, change);
+            if beside == x {
+                change = -change;
+                beside = shifted(x, change);
+            }
+            let step = self.step([state(x), state(beside)], change, advance, misfit);
+            let next = shifted(x, step);
+            if next == x || step.abs() < CLOSE {
+                break;
+            }
+            x = next;
         }
-        let mut here = state;
+        state(x)
+    }
+
+    /// The step of the unknown, from the state that it brings about and that after a change.
+    fn step<S: Clone>(
+        &self,
+        [mut here, mut there]: [S; 2],
+        change: f64,
+        advance: &impl Fn(S, usize) -> S,
+        misfit: &impl Fn(&S, usize) -> f64,
+    ) -> f64 {
+        let [begin, end] = self.points;
         let (mut square, mut along, mut strongest) = (0.0, 0.0, 0.0_f64);
         for point in begin..end.min(begin + MOST_POINTS) {
             if point > begin {
                 here = advance(here, point);
                 there = advance(there, point);
             }
-            let velocity = self.velocities[point];
-            let friction = self.law.friction(here, velocity);
-            let effect = (self.law.friction(there, velocity) - friction) / change;
+            let left = misfit(&here, point);
+            let effect = (misfit(&there, point) - left) / change;
             strongest = strongest.max(effect.abs());
             if effect.abs() <= FORGOTTEN * strongest {
                 break;
             }
             square += effect * effect;
-            along += effect * (friction - self.measured(point));
+            along += effect * left;
         }
         let step = -along / square;
-        if step.is_finite() {
-            (self.law.shifted(state, step, velocity), step.abs())
-        } else {
-            (state, 0.0)
-        }
+        if step.is_finite() { step } else { 0.0 }
     }
 }

@@ -199,6 +199,28 @@ impl ElastoPlastic {
         self.law.steady_bristle_force(velocity) / self.law.parameters().stiffness
     }
 
+    /// The deflection after a slide, both over the largest deflection: x' = 1 − α(x) x.
+    fn slide(&self, mut bent: f64, mut left: f64) -> f64 {
+        // Below the break-away deflection bristles only bend.
+        let straight = (self.share - bent).max(0.0).min(left);
+        (bent, left) = (bent + straight, left - straight);
+        for _ in 0..MOST_STEPS {
+            let short = 1.0 - bent;
+            if left <= 0.0 || short.abs() <= STEADY {
+                break;
+            }
+            // x' = 1 − x + n(x), of which only n is taken in the middle of the step.
+            let n = |bent: f64| (1.0 - self.yielding(bent)) * bent;
+            let (here, most) = (n(bent), bent.max(1.0));
+            let longest = BEND * (1.0 - self.share) / (short + here).abs();
+            let step = if bent > 1.0 { left } else { left.min(longest) };
+            let after = |step: f64, n: f64| (1.0 + n - (short + n) * libm::exp(-step)).min(most);
+            bent = after(step, n(after(0.5 * step, here)));
+            left -= step;
+        }
+        bent
+    }
+
     /// z' where the largest deflection is `most`.
     fn rate(&self, deflection: f64, velocity: f64, most: f64) -> f64 {
         let bent = deflection * velocity.signum() / most;
@@ -206,12 +228,12 @@ impl ElastoPlastic {
     }
 }
 
-/// Largest change of the deflection in one step, over its largest value.
-const BEND: f64 = 0.05;
-/// Change of the deflection in one step, over its largest value, that is steady sliding.
+/// Largest change of the deflection in one step, over the range in which bristles begin to yield.
+const BEND: f64 = 0.2;
+/// Distance from the largest deflection, over it, that is steady sliding.
 const STEADY: f64 = 1e-13;
 /// Most steps at one velocity.
-const MOST_STEPS: f64 = 400.0;
+const MOST_STEPS: u32 = 400;
 
 impl Memory for ElastoPlastic {
     const FORM: Form = Form {
@@ -261,21 +283,11 @@ impl Memory for ElastoPlastic {
 
     fn advance(&self, deflection: f64, velocity: f64, dt: f64) -> f64 {
         let most = self.most(velocity);
-        let slid = velocity.abs() * dt;
-        // Long slides end in steady sliding; short ones take midpoint steps.
-        let needed = (slid / (BEND * most)).ceil();
-        let steps = needed.clamp(1.0, MOST_STEPS);
-        let step = dt * (needed.min(MOST_STEPS) / needed.max(1.0)) / steps;
-        let mut z = deflection;
-        for _ in 0..steps as u32 {
-            let before = z;
-            let middle = z + 0.5 * step * self.rate(z, velocity, most);
-            z += step * self.rate(middle, velocity, most);
-            if (z - before).abs() <= STEADY * most {
-                break;
-            }
-        }
-        z.max(-most).min(most)
+        let bent = self.slide(
+            deflection * velocity.signum() / most,
+            velocity.abs() * dt / most,
+        );
+        (bent * velocity.signum() * most).max(-most).min(most)
     }
 
     fn friction(&self, deflection: f64, velocity: f64) -> f64 {

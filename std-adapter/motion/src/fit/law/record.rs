@@ -3,7 +3,7 @@
 use super::super::Measurements;
 use super::super::parameter::{Between, FitParameter, Model};
 use super::beginning::{Stretch, beginnings};
-use super::course::{Interval, merged, velocity_steps};
+use super::course::Motion;
 use super::form::Form;
 use super::guess::Guess;
 use std::borrow::Cow;
@@ -43,15 +43,11 @@ pub(super) trait Memory: Sized + Send + Sync + 'static {
 
 /// A record, or a sample of one.
 pub(super) struct Record<'a, M> {
-    times: Cow<'a, [f64]>,
-    velocities: Cow<'a, [f64]>,
+    motion: Motion<'a>,
     /// Friction as it was measured, per load.
     measured: Cow<'a, [f64]>,
     /// Points where the state begins anew, the first among them.
     beginnings: Vec<usize>,
-    /// Means of a sample of points that are far apart.
-    means: Option<Vec<Interval>>,
-    path: Between,
     guess: Guess,
     law: PhantomData<M>,
 }
@@ -60,15 +56,9 @@ impl<'a, M: Memory> Record<'a, M> {
     /// A whole record.
     pub fn new(data: &'a Measurements, times: &'a [f64]) -> Self {
         Self {
-            times: Cow::Borrowed(times),
-            velocities: Cow::Borrowed(data.velocities()),
-            measured: match data.load() {
-                None => Cow::Borrowed(data.friction()),
-                Some(_) => (0..times.len()).map(|i| data.per_load(i)).collect(),
-            },
+            motion: Motion::new(times, data.velocities()),
+            measured: data.all_per_load(),
             beginnings: beginnings(times),
-            means: None,
-            path: Between::PLAIN,
             guess: Guess::of(data),
             law: PhantomData,
         }
@@ -76,17 +66,16 @@ impl<'a, M: Memory> Record<'a, M> {
 
     /// The state at a point from that at the point before.
     fn advance(&self, law: &M, mut state: M::State, point: usize) -> M::State {
-        if let Some(means) = &self.means {
-            let (dt, mean) = means[point - 1];
-            return law.advance(state, mean, dt);
-        }
-        let velocities = &self.velocities;
-        if self.path == Between::PLAIN && velocities[point - 1] * velocities[point] >= 0.0 {
-            let mean = 0.5 * (velocities[point - 1] + velocities[point]);
-            return law.advance(state, mean, self.times[point] - self.times[point - 1]);
-        }
-        velocity_steps(&self.times, velocities, point, self.path, |dt, mean| {
+        self.motion.steps(point, |dt, mean| {
             state = law.advance(state, mean, dt);
+        });
+        state
+    }
+
+    /// The same where the velocity jumps after a share of the time.
+    fn jump(&self, law: &M, mut state: M::State, (point, share): (usize, f64)) -> M::State {
+        self.motion.jump(point, share, |dt, velocity| {
+            state = law.advance(state, velocity, dt);
         });
         state
     }
@@ -107,28 +96,34 @@ impl<M: Memory> Model for Record<'_, M> {
 
     fn predict_beside(&self, values: &[f64], beside: &[f64]) -> Option<Vec<f64>> {
         let law = M::new(values)?;
-        let count = self.velocities.len();
+        let velocities = &self.motion.velocities;
+        let count = velocities.len();
         let advance = |state: M::State, point: usize| self.advance(&law, state, point);
         let mut friction = Vec::with_capacity(count);
         let ends = self.beginnings.iter().skip(1).copied().chain([count]);
         for (&begin, end) in self.beginnings.iter().zip(ends) {
-            let stretch = Stretch {
+            let stretch = |begin| Stretch {
                 law: &law,
-                velocities: &self.velocities,
+                velocities,
                 measured: &self.measured,
                 beside,
                 points: [begin, end],
             };
             let mut state = if begin == 0 && M::BEGINS_STEADY {
-                law.first(self.velocities[0], self.measured[0])
+                law.first(velocities[0], self.measured[0])
             } else {
-                stretch.state(&advance)
+                stretch(begin).state(&advance)
             };
             for point in begin..end {
                 if point > begin {
-                    state = advance(state, point);
+                    state = if self.motion.jumps_before(point) {
+                        let jump = |share| self.jump(&law, state, (point, share));
+                        stretch(point).after_jump(&jump, &advance)
+                    } else {
+                        advance(state, point)
+                    };
                 }
-                friction.push(law.friction(state, self.velocities[point]));
+                friction.push(law.friction(state, velocities[point]));
             }
         }
         Some(friction)
@@ -138,7 +133,8 @@ impl<M: Memory> Model for Record<'_, M> {
         /// Friction that no state carries.
         const LARGE: f64 = 1e100;
         let law = M::new(values)?;
-        let first = *self.velocities.first()?;
+        let velocities = &self.motion.velocities;
+        let first = *velocities.first()?;
         let carried = if first == 0.0 {
             0.0
         } else {
@@ -151,7 +147,7 @@ impl<M: Memory> Model for Record<'_, M> {
             }
             law.friction(state, *velocity)
         };
-        Some(self.velocities.iter().enumerate().map(at).collect())
+        Some(velocities.iter().enumerate().map(at).collect())
     }
 
     fn start(&self, unit: &[f64]) -> Vec<f64> {
@@ -175,40 +171,29 @@ impl<M: Memory> Model for Record<'_, M> {
     }
 
     fn subsample(&self, points: &[usize]) -> Option<Box<dyn Model + '_>> {
-        let of = |values: &[f64]| points.iter().map(|&i| values[i]).collect::<Vec<f64>>();
-        let times = of(&self.times);
-        let mut sample = Record::<M> {
-            velocities: Cow::Owned(of(&self.velocities)),
-            measured: Cow::Owned(of(&self.measured)),
+        let motion = self.motion.at(points, !M::FORGETS);
+        Some(Box::new(Record::<M> {
+            measured: points.iter().map(|&i| self.measured[i]).collect(),
             beginnings: if M::FORGETS {
-                beginnings(&times)
+                beginnings(&motion.times)
             } else {
                 vec![0]
             },
-            times: Cow::Owned(times),
-            means: None,
-            path: self.path,
+            motion,
             guess: self.guess.clone(),
             law: PhantomData,
-        };
-        if !M::FORGETS {
-            sample.means = Some(merged(&self.times, &self.velocities, points));
-        }
-        Some(Box::new(sample))
+        }))
     }
 
     fn sample(&self, count: usize) -> Option<Vec<usize>> {
-        M::FORGETS.then(|| super::course::pieces(&self.velocities, count))
+        M::FORGETS.then(|| super::course::pieces(&self.motion.velocities, count))
     }
 
     fn along(&self, path: Between) -> Option<Box<dyn Model + '_>> {
         Some(Box::new(Record::<M> {
-            times: Cow::Borrowed(&self.times),
-            velocities: Cow::Borrowed(&self.velocities),
+            motion: self.motion.along(path),
             measured: Cow::Borrowed(&self.measured),
             beginnings: self.beginnings.clone(),
-            means: self.means.clone(),
-            path,
             guess: self.guess.clone(),
             law: PhantomData,
         }))

@@ -2,7 +2,8 @@
 
 use super::super::parameter::{Between, FitParameter, Model, Range};
 use super::super::{FitError, Measurements};
-use super::course::{Interval, merged, velocity_steps};
+use super::beginning::after_jump;
+use super::course::Motion;
 use super::form::{Form, around, parameter};
 use super::guess::Guess;
 use super::rate_state;
@@ -41,13 +42,15 @@ const FORM: Form = Form {
     },
 };
 
+/// Change of the instant of a jump for its effect, over the interval: far above the errors of the integration.
+const CHANGE: f64 = 0.02;
+
 /// A record of the load point.
 pub(super) struct Sprung<'a> {
-    times: Cow<'a, [f64]>,
-    velocities: Cow<'a, [f64]>,
-    means: Option<Vec<Interval>>,
+    motion: Motion<'a>,
+    /// Friction as it was measured, per load.
+    measured: Cow<'a, [f64]>,
     ages: StateEvolutionKind,
-    path: Between,
     guess: Guess,
 }
 
@@ -60,11 +63,9 @@ impl<'a> Sprung<'a> {
     ) -> Result<Self, FitError> {
         super::forward(data.velocities())?;
         Ok(Self {
-            times: Cow::Borrowed(times),
-            velocities: Cow::Borrowed(data.velocities()),
-            means: None,
+            motion: Motion::new(times, data.velocities()),
+            measured: data.all_per_load(),
             ages,
-            path: Between::PLAIN,
             guess: Guess::of(data),
         })
     }
@@ -84,23 +85,40 @@ impl Model for Sprung<'_> {
             return None;
         };
         let law = rate_state::law::<AgeingLaw>(&[mu, a, b, reference, 0.0, dc])?;
-        let first = *self.velocities.first()?;
-        let mut contact = LoadedContact::new(*law.parameters(), self.ages, stiffness, first)?;
+        let velocities = &self.motion.velocities;
+        let first = *velocities.first()?;
+        let contact = LoadedContact::new(*law.parameters(), self.ages, stiffness, first)?;
+        let moved = |contact: Option<LoadedContact>, [dt, mean]: [f64; 2]| {
+            let mut contact = contact?;
+            contact.advance(mean, dt).map(|()| contact)
+        };
+        let advance = |mut contact: Option<LoadedContact>, point: usize| {
+            self.motion.steps(point, |dt, mean| {
+                contact = moved(contact.take(), [dt, mean]);
+            });
+            contact
+        };
+        let misfit = |contact: &Option<LoadedContact>, point: usize| match contact {
+            Some(contact) => contact.friction() - self.measured[point],
+            None => f64::NAN,
+        };
         let mut friction = vec![contact.friction()];
-        for point in 1..self.velocities.len() {
-            let mut moved = Some(());
-            let mut advance = |dt: f64, mean: f64| {
-                moved = moved.and_then(|()| contact.advance(mean, dt));
+        let mut contact = Some(contact);
+        for point in 1..velocities.len() {
+            contact = if self.motion.jumps_before(point) {
+                let jump = |share: f64| {
+                    let mut contact = contact.clone();
+                    self.motion.jump(point, share, |dt, velocity| {
+                        contact = moved(contact.take(), [dt, velocity]);
+                    });
+                    contact
+                };
+                let points = ([point, velocities.len()], CHANGE);
+                after_jump(points, &jump, &advance, &misfit)
+            } else {
+                advance(contact, point)
             };
-            match &self.means {
-                Some(means) => {
-                    let (dt, mean) = means[point - 1];
-                    advance(dt, mean);
-                }
-                None => velocity_steps(&self.times, &self.velocities, point, self.path, advance),
-            }
-            moved?;
-            friction.push(contact.friction());
+            friction.push(contact.as_ref()?.friction());
         }
         Some(friction)
     }
@@ -118,24 +136,19 @@ impl Model for Sprung<'_> {
     }
 
     fn subsample(&self, points: &[usize]) -> Option<Box<dyn Model + '_>> {
-        let of = |values: &[f64]| Cow::Owned(points.iter().map(|&i| values[i]).collect());
         Some(Box::new(Sprung {
-            times: of(&self.times),
-            velocities: of(&self.velocities),
-            means: Some(merged(&self.times, &self.velocities, points)),
+            motion: self.motion.at(points, true),
+            measured: points.iter().map(|&i| self.measured[i]).collect(),
             ages: self.ages,
-            path: self.path,
             guess: self.guess.clone(),
         }))
     }
 
     fn along(&self, path: Between) -> Option<Box<dyn Model + '_>> {
         Some(Box::new(Sprung {
-            times: Cow::Borrowed(&self.times),
-            velocities: Cow::Borrowed(&self.velocities),
-            means: self.means.clone(),
+            motion: self.motion.along(path),
+            measured: Cow::Borrowed(&self.measured),
             ages: self.ages,
-            path,
             guess: self.guess.clone(),
         }))
     }

@@ -1,7 +1,7 @@
 //! Residuals of a film over its noise, and the frames that are left out.
 
 use super::super::jacobian::{DifferenceScale, Order};
-use super::super::minimise::{Minimum, OFFSET, Problem, minimise};
+use super::super::minimise::{Minimum, OFFSET, Problem, Stall, minimise};
 use super::super::parameter::{Model, Range};
 use super::super::unknowns::Unknowns;
 use super::film::Track;
@@ -156,6 +156,7 @@ impl<'a> Weighted<'a> {
             lengths: self.lengths(unknowns),
             floor: grain * grain,
             offset,
+            stall: Stall::of(offset),
         };
         minimise(&problem, place, &mut |_| ())
     }
@@ -178,6 +179,7 @@ impl<'a> Weighted<'a> {
             lengths: self.lengths(unknowns),
             floor: 0.0,
             offset: OFFSET,
+            stall: Stall::of(OFFSET),
         };
         let here = self.residuals(unknowns, q)?;
         let slopes = problem.slopes(q, &here, Order::Fourth)?;

@@ -27,7 +27,7 @@ pub enum StateEvolutionKind {
 }
 
 /// A body under rate and state.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct RateStateMotion {
     law: RateState<f64, AgeingLaw>,
     /// The law without its viscous term: for a small `a` a difference of slopes would lose T.
@@ -282,7 +282,7 @@ const MOST_STEPS: u32 = 1000;
 
 /// A contact without mass on a spring whose other end, the load point, moves as it was recorded. Forces and the
 /// stiffness are per load.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct LoadedContact(RateStateMotion);
 
 impl LoadedContact {
@@ -307,12 +307,12 @@ impl LoadedContact {
     pub fn advance(&mut self, speed: f64, duration: f64) -> Option<()> {
         let until = self.0.time + duration;
         for _ in 0..MOST_STEPS {
+            if self.0.time >= until {
+                return Some(());
+            }
             self.0.step(speed, until).ok()?;
             if self.0.runs_away() {
                 return None;
-            }
-            if self.0.time >= until {
-                return Some(());
             }
         }
         None

@@ -1,0 +1,54 @@
+//! Where the velocity of a record changes abruptly between two points.
+
+/// Change of the velocity between two points that is abrupt: over the largest velocity, and that of a neighbour
+/// over it.
+const ABRUPT: [f64; 2] = [0.02, 0.25];
+/// Largest share of the intervals that are abrupt; beyond, the velocity is noisy, and has no jumps.
+const MOST: f64 = 0.1;
+/// Share of the intervals of a record whose velocity stays, from which on it changes by jumps.
+const STEADY: f64 = 0.8;
+/// Change of the velocity that is a jump, and the largest that is none, over the velocity.
+const JUMP: [f64; 2] = [0.2, 1e-3];
+
+/// Whether the velocity stays but for jumps.
+pub(super) fn is_stepped(velocities: &[f64]) -> bool {
+    let stays = velocities.windows(2).filter(|pair| {
+        let change = relative(pair);
+        change.is_nan() || change <= JUMP[1]
+    });
+    let has_jumps = velocities.windows(2).any(|pair| relative(pair) >= JUMP[0]);
+    has_jumps && stays.count() as f64 >= STEADY * (velocities.len() - 1) as f64
+}
+
+/// Points before which the velocity changes much, but little before or after that.
+pub(super) fn jumps(velocities: &[f64]) -> Vec<usize> {
+    if is_stepped(velocities) {
+        let pairs = velocities.windows(2).enumerate();
+        let jumps = pairs.filter(|(_, pair)| relative(pair) >= JUMP[0]);
+        return jumps.map(|(before, _)| before + 1).collect();
+    }
+    let [much, little] = ABRUPT;
+    let largest = velocities
+        .iter()
+        .fold(0.0, |most: f64, v| v.abs().max(most));
+    let change = |a: f64, b: f64| (b - a).abs();
+    let is_abrupt = |v: &[f64]| match *v {
+        [a, b, c, d] => {
+            let size = change(b, c);
+            size >= much * largest && change(a, b).min(change(c, d)) < little * size
+        }
+        _ => false,
+    };
+    let windows = velocities.windows(4).enumerate();
+    let abrupt = windows.filter(|(_, window)| is_abrupt(window));
+    let abrupt: Vec<usize> = abrupt.map(|(first, _)| first + 2).collect();
+    if abrupt.len() as f64 > MOST * velocities.len() as f64 {
+        return Vec::new();
+    }
+    abrupt
+}
+
+/// Change of the velocity over the larger one.
+fn relative(pair: &[f64]) -> f64 {
+    (pair[1] - pair[0]).abs() / pair[0].abs().max(pair[1].abs())
+}
