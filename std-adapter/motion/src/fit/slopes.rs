@@ -4,7 +4,7 @@
 //! round the corners off, and the inertia comes out too large. So the slopes `s` over the width that explains friction
 //! best are scaled to the accelerations `a` that they tell of: by the factor Σ s a/Σ s², after which least squares of
 //! friction on them find the inertia Σ s f/Σ s a (two-stage least squares with s as the instrument; Wooldridge,
-//! *Econometric Analysis of Cross Section and Panel Data*, chapter 5). For a stand slopes over a quarter of the width, whose
+//! *Econometric Analysis of Cross Section and Panel Data*, chapter 5). For a stand slopes over half the width, whose
 //! corners are sharper, and whose noise the wide slopes have hardly in common.
 
 use super::data::Measurements;
@@ -15,7 +15,7 @@ const WIDTHS: [usize; 8] = [1, 2, 4, 8, 16, 32, 64, 128];
 /// Fewest rows for each row of a half width.
 const FEWEST: usize = 8;
 /// Half width over that of the slopes that stand for the accelerations.
-const SHARPER: usize = 4;
+const SHARPER: usize = 2;
 /// Most rows by which a width is chosen.
 const MOST: usize = 100_000;
 /// Interval between two rows over those before and after it that is a gap.
@@ -177,4 +177,169 @@ fn beside(terms: &[Vec<f64>], mut column: Vec<f64>) -> Vec<f64> {
 
 fn product(one: &[f64], other: &[f64]) -> f64 {
     one.iter().zip(other).map(|(a, b)| a * b).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fit::{Apparatus, FitColumns, FitLaw, FitOptions};
+    use tribos_base::random::Random;
+
+    /// Velocity and acceleration of a drive with a period of 2 s: straight ramps, up to a speed of 1 m/s that is kept;
+    /// a triangle where it is reached at once.
+    fn ramps(time: f64, acceleration: f64) -> [f64; 2] {
+        let phase = (time / 2.0).fract();
+        let [v, sign] = if phase < 0.25 {
+            [phase, 1.0]
+        } else if phase < 0.75 {
+            [0.5 - phase, -1.0]
+        } else {
+            [phase - 1.0, 1.0]
+        };
+        let v = 2.0 * v * acceleration;
+        if v.abs() < 1.0 {
+            [v, sign * acceleration]
+        } else {
+            [v.signum(), 0.0]
+        }
+    }
+
+    /// How the speed is measured.
+    #[derive(Clone, Copy, Debug)]
+    enum Sensor {
+        /// With noise of this standard deviation.
+        Noisy(f64),
+        /// To a multiple of this step.
+        Stepped(f64),
+    }
+
+    /// f = sgn v + 0.5 v + 0.2 a + 0.1 with noise of 0.02, for ten seconds.
+    fn log(rate: f64, acceleration: f64, sensor: Sensor, seed: u64) -> (FitColumns, Vec<f64>) {
+        let mut random = Random::new(seed, 0);
+        let begin = random.unit();
+        // Uniform noise has a variance of a twelfth of its width's square.
+        let mut noise = |deviation: f64| 12.0_f64.sqrt() * deviation * (random.unit() - 0.5);
+        let mut log = FitColumns {
+            rest: 0.03,
+            has_offset: true,
+            wants_acceleration: true,
+            ..FitColumns::default()
+        };
+        let (mut times, mut truth) = (Vec::new(), Vec::new());
+        for k in 0..(10.0 * rate) as u32 {
+            times.push(f64::from(k) / rate);
+            let [v, a] = ramps(begin + f64::from(k) / rate, acceleration);
+            log.velocities.push(match sensor {
+                Sensor::Noisy(deviation) => v + noise(deviation),
+                Sensor::Stepped(step) => (v / step).round() * step,
+            });
+            log.friction
+                .push(v.signum() + 0.5 * v + 0.2 * a + 0.1 + noise(0.02));
+            truth.push(v);
+        }
+        log.times = Some(times);
+        (log, truth)
+    }
+
+    fn inertia(log: FitColumns) -> f64 {
+        let data = log.prepared(Some(FitLaw::Viscous)).unwrap().data;
+        let machine = Apparatus {
+            inertia: true,
+            offset: true,
+            ..Apparatus::default()
+        };
+        let model = FitLaw::Viscous.model_on(&data, machine).unwrap();
+        let found = data.fit(model.as_ref(), &FitOptions::default()).unwrap();
+        found.value("inertia").unwrap()
+    }
+
+    #[test]
+    fn inertia_is_right_on_ramps_with_corners_whatever_the_speed_is_measured_with() {
+        use Sensor::{Noisy, Stepped};
+        for acceleration in [2.0, 5.0] {
+            for (rate, sensor) in [
+                (100.0, Noisy(0.0)),
+                (100.0, Noisy(0.03)),
+                (300.0, Noisy(0.01)),
+                (300.0, Stepped(0.02)),
+                (1000.0, Noisy(0.01)),
+                (1000.0, Noisy(0.03)),
+            ] {
+                for seed in 0..3 {
+                    let found = inertia(log(rate, acceleration, sensor, seed).0);
+                    assert!(
+                        (found / 0.2 - 1.0).abs() < 0.025,
+                        "{acceleration} {rate} {sensor:?}: {found}"
+                    );
+                }
+            }
+        }
+        // Differences of neighbours lose the inertia in noise.
+        let (mut plain, _) = log(1000.0, 5.0, Noisy(0.03), 0);
+        let slopes = plain.velocities.windows(2).map(|v| 1000.0 * (v[1] - v[0]));
+        plain.acceleration = Some(slopes.chain([0.0]).collect());
+        assert!(inertia(plain) < 0.02);
+    }
+
+    #[test]
+    fn the_share_of_noise_is_that_of_the_slopes() {
+        // Over one row to either side, of accelerations ±2 with noise σ: 2 (σ/2 dt)² over that and 4.
+        for deviation in [0.0, 0.01, 0.02, 0.04] {
+            let (log, _) = log(100.0, 2.0, Sensor::Noisy(deviation), 1);
+            let times = log.times.as_deref().unwrap();
+            let record = Accelerated {
+                times,
+                velocities: &log.velocities,
+                friction: &log.friction,
+                load: None,
+            };
+            // Friction of nothing but these slopes chooses them.
+            let narrow: Vec<f64> = (0..times.len())
+                .map(|row| {
+                    record.slope(row, row.saturating_sub(1)..(row + 2).min(times.len()), all)
+                })
+                .collect();
+            let record = Accelerated {
+                friction: &narrow,
+                ..record
+            };
+            let (found, noise) = record.slopes(|_| true);
+            assert_eq!(found, narrow);
+            let square = 0.5 * (deviation * 100.0) * (deviation * 100.0);
+            let wanted = square / (square + 4.0);
+            assert!((noise - wanted).abs() < 0.05, "{noise} for {wanted}");
+        }
+    }
+
+    #[test]
+    fn slopes_end_at_gaps_and_need_not_be_chosen() {
+        // Two ramps with a gap of a minute between them, of uneven steps.
+        let times: Vec<f64> = (0..200)
+            .map(|k| {
+                0.01 * f64::from(k) + 0.002 * f64::from(k % 3) + if k < 90 { 0.0 } else { 60.0 }
+            })
+            .collect();
+        let of_time = |t: &f64| if *t < 50.0 { 3.0 * t } else { 7.0 - 2.0 * t };
+        let velocities: Vec<f64> = times.iter().map(of_time).collect();
+        let record = Accelerated {
+            times: &times,
+            velocities: &velocities,
+            friction: &vec![0.0; 200],
+            load: None,
+        };
+        for (row, slope) in record.slopes(|_| true).0.iter().enumerate() {
+            let wanted = if row < 90 { 3.0 } else { -2.0 };
+            assert!((slope - wanted).abs() < 1e-9, "{row}: {slope}");
+        }
+        // Nothing that slides, one row, and none.
+        assert_eq!(record.slopes(|_| false).0.len(), 200);
+        for count in [0, 1, 2] {
+            let few = Accelerated {
+                times: &times[..count],
+                velocities: &velocities[..count],
+                ..record
+            };
+            assert_eq!(few.slopes(|_| true).0.len(), count);
+        }
+    }
 }
