@@ -1,23 +1,22 @@
 //! Accelerations where none were measured: slopes of the velocity, over as many rows as explain friction best.
 //!
 //! Slopes over few rows are noise, and a fit on noisy accelerations finds too small an inertia; slopes over many rows
-//! round the corners off, and the inertia comes out too large. So the slopes `s` over the width that explains friction
-//! best are scaled to the accelerations `a` that they tell of: by the factor Σ s a/Σ s², after which least squares of
-//! friction on them find the inertia Σ s f/Σ s a (two-stage least squares with s as the instrument; Wooldridge,
-//! *Econometric Analysis of Cross Section and Panel Data*, chapter 5). For a stand slopes over half the width, whose
-//! corners are sharper, and whose noise the wide slopes have hardly in common.
+//! round the corners off, and the inertia comes out too large. So the slopes s over the width that explains friction
+//! best are multiplied by Σ s a/Σ s², and least squares of friction f on them then finds the inertia Σ s f/Σ s a, which
+//! has no such error: two-stage least squares with s as the instrument (Wooldridge, *Econometric Analysis of Cross
+//! Section and Panel Data*, chapter 5). Slopes over half the width take the place of the accelerations a in these sums:
+//! their corners are sharper, and s shares little of their noise.
 
 use super::data::Measurements;
-use std::ops::Range;
 
 /// Half widths, in rows, that are tried.
 const WIDTHS: [usize; 8] = [1, 2, 4, 8, 16, 32, 64, 128];
 /// Fewest rows for each row of a half width.
 const FEWEST: usize = 8;
-/// Half width over that of the slopes that stand for the accelerations.
+/// Half width over that of the slopes in place of the accelerations.
 const SHARPER: usize = 2;
 /// Most rows by which a width is chosen.
-const MOST: usize = 100_000;
+const MOST: usize = 50_000;
 /// Interval between two rows over those before and after it that is a gap.
 const GAP: f64 = 4.0;
 /// Share of a column's squares below which it is a sum of others.
@@ -47,63 +46,49 @@ impl<'a> Accelerated<'a> {
         })
     }
 
-    /// Accelerations in m/s² at all rows, and the share of noise in their variance. Rows that do not slide choose no
-    /// width.
+    /// Accelerations in m/s² at all rows, and the share of noise in their variance. Only rows that slide choose the width.
     pub fn slopes(&self, slides: impl Fn(usize) -> bool) -> (Vec<f64>, f64) {
-        let count = self.times.len();
         let begins = self.beginnings();
-        let slope = |row: usize, width: usize, has: fn(usize) -> bool| {
-            let next = begins.partition_point(|begin| *begin <= row);
-            let begin = begins.get(next.wrapping_sub(1)).map_or(0, |begin| *begin);
-            let end = begins.get(next).map_or(count, |end| *end);
-            self.slope(
-                row,
-                begin.max(row.saturating_sub(width))..end.min(row + width + 1),
-                has,
-            )
-        };
-        let stride = (0..count).filter(|row| slides(*row)).count().div_ceil(MOST);
-        let rows = (0..count).filter(|row| slides(*row)).step_by(stride.max(1));
-        let rows: Vec<usize> = rows.collect();
-        let column = |width: usize, has: fn(usize) -> bool| -> Vec<f64> {
-            rows.iter().map(|&row| slope(row, width, has)).collect()
+        let sliding = || (0..self.times.len()).filter(|row| slides(*row));
+        let stride = sliding().count().div_ceil(MOST).max(1);
+        let rows: Vec<usize> = sliding().step_by(stride).collect();
+        let column = |width: usize, has: Neighbours| -> Vec<f64> {
+            let slopes = rows.iter().map(|&row| self.slope(row, width, &begins, has));
+            slopes.collect()
         };
 
-        // Of friction beside a Coulomb, a viscous and a constant term, the most is explained by the best slopes.
+        // The best slopes explain most of what friction has beside a Coulomb, a viscous and a constant term.
         let terms = self.terms(&rows);
-        let friction = beside(&terms, rows.iter().map(|&row| self.friction[row]).collect());
-        let mut best = (WIDTHS[0], f64::NEG_INFINITY);
-        for width in WIDTHS {
-            let slopes = beside(&terms, column(width, all));
-            let (along, square) = (product(&slopes, &friction), product(&slopes, &slopes));
-            let explained = along * along / square;
-            if (width == 1 || FEWEST * width <= rows.len()) && explained > best.1 {
-                best = (width, explained);
+        let friction = rows.iter().map(|&row| self.friction[row]).collect();
+        let friction = beside(&terms, friction);
+        let (mut width, mut most) = (WIDTHS[0], f64::NEG_INFINITY);
+        for wider in WIDTHS {
+            let slopes = beside(&terms, column(wider, all));
+            let along = product(&slopes, &friction);
+            let explained = along * along / product(&slopes, &slopes);
+            if explained > most && (wider == WIDTHS[0] || FEWEST * wider <= rows.len()) {
+                (width, most) = (wider, explained);
             }
         }
 
         // Two-stage least squares.
-        let width = best.0;
-        let slopes = beside(&terms, column(width, all));
+        let slopes = column(width, all);
+        let square = product(&slopes, &slopes);
         let sharper = beside(&terms, column((width / SHARPER).max(1), all));
+        // Slopes over every other row and over those between have the motion in common, but no noise.
+        let halves = [|away| away % 2 == 1, |away| away % 2 == 0];
+        let [odd, even] = halves.map(|half| column(width.max(2), half));
+        let noise = 1.0 - product(&odd, &even) / square;
+        let slopes = beside(&terms, slopes);
         let scale = product(&slopes, &sharper) / product(&slopes, &slopes);
         let scale = if scale > 0.0 && scale.is_finite() {
             scale
         } else {
             1.0
         };
-
-        // Slopes over every other row and over those between have the motion in common, but no noise.
-        let [odd, even] = [|k| k % 2 == 1, |k| k % 2 == 0].map(|has| column(width.max(2), has));
-        let slopes = column(width, all);
-        let common = product(&odd, &even) / product(&slopes, &slopes);
-        let noise = if common < 1.0 {
-            (1.0 - common).min(1.0)
-        } else {
-            0.0
-        };
-        let scaled = |row: usize| scale * slope(row, width, all);
-        ((0..count).map(scaled).collect(), noise)
+        let scaled = |row| scale * self.slope(row, width, &begins, all);
+        let noise = if noise > 0.0 { noise.min(1.0) } else { 0.0 };
+        ((0..self.times.len()).map(scaled).collect(), noise)
     }
 
     /// Rows where the record begins, or begins anew after a gap.
@@ -117,8 +102,13 @@ impl<'a> Accelerated<'a> {
         std::iter::once(0).chain(gaps).collect()
     }
 
-    /// Slope of the straight line through a row's neighbours, by least squares; 0 where there are none.
-    fn slope(&self, row: usize, rows: Range<usize>, has: fn(usize) -> bool) -> f64 {
+    /// Slope of the straight line through a row's neighbours on the same side of all gaps, by least squares; 0 where
+    /// there are none.
+    fn slope(&self, row: usize, width: usize, begins: &[usize], has: Neighbours) -> f64 {
+        let next = begins.partition_point(|begin| *begin <= row);
+        let begin = begins.get(next.wrapping_sub(1)).map_or(0, |begin| *begin);
+        let end = begins.get(next).map_or(self.times.len(), |end| *end);
+        let rows = begin.max(row.saturating_sub(width))..end.min(row + width + 1);
         let [mut count, mut t, mut v, mut tt, mut tv] = [0.0; 5];
         for other in rows.filter(|other| has(other.abs_diff(row))) {
             let time = self.times[other] - self.times[row];
@@ -159,7 +149,10 @@ impl<'a> Accelerated<'a> {
     }
 }
 
-/// All rows of a window.
+/// Whether rows so far away have a part in a slope.
+type Neighbours = fn(usize) -> bool;
+
+/// All do.
 fn all(_: usize) -> bool {
     true
 }
@@ -295,9 +288,7 @@ mod tests {
             };
             // Friction of nothing but these slopes chooses them.
             let narrow: Vec<f64> = (0..times.len())
-                .map(|row| {
-                    record.slope(row, row.saturating_sub(1)..(row + 2).min(times.len()), all)
-                })
+                .map(|row| record.slope(row, 1, &[0], all))
                 .collect();
             let record = Accelerated {
                 friction: &narrow,
@@ -340,6 +331,31 @@ mod tests {
                 ..record
             };
             assert_eq!(few.slopes(|_| true).0.len(), count);
+        }
+    }
+
+    #[test]
+    fn temporary_time() {
+        let n = 1_000_000_u32;
+        let times: Vec<f64> = (0..n).map(|k| 1e-3 * f64::from(k)).collect();
+        let velocities: Vec<f64> = times.iter().map(|t| ramps(*t, 5.0)[0]).collect();
+        let friction: Vec<f64> = times
+            .iter()
+            .map(|t| {
+                let [v, a] = ramps(*t / 10.0, 5.0);
+                v + a
+            })
+            .collect();
+        for f in [&friction, &velocities] {
+            let t = std::time::Instant::now();
+            let found = Accelerated {
+                times: &times,
+                velocities: &velocities,
+                friction: f,
+                load: None,
+            }
+            .slopes(|_| true);
+            println!("million: slopes {:?} {}", t.elapsed(), found.1);
         }
     }
 }
