@@ -147,7 +147,7 @@ fn told(mut brief: Vec<String>, found: &Prepared, law: Option<FitLaw>) -> Vec<St
     }
     if found.acceleration_noise > NOISY {
         brief.push(format!(
-            "accelerations are slopes of v, of which {:.0} % is noise: the inertia comes out too small; smooth v, or give a \
+            "accelerations are slopes of v, of which {:.0} % is noise: the inertia may come out too small; smooth v, or give a \
              column by --columns a=NAME",
             100.0 * found.acceleration_noise
         ));

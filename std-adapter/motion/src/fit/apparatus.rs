@@ -3,6 +3,7 @@
 use super::data::Measurements;
 use super::error::FitError;
 use super::parameter::{Between, FitParameter, Model, Range};
+use super::slopes::Accelerated;
 use std::borrow::Cow;
 
 /// What the machine adds to friction.
@@ -69,8 +70,9 @@ impl<'a> Mounted<'a> {
             (false, _) => None,
             (true, Some(given)) => Some(Cow::Borrowed(given.as_slice())),
             (true, None) => {
-                let times = data.times().ok_or(FitError::Form(ACCELERATION))?;
-                Some(Cow::Owned(slopes(times, data.velocities()).0))
+                let record = Accelerated::of(data, data.friction());
+                let record = record.ok_or(FitError::Form(ACCELERATION))?;
+                Some(Cow::Owned(record.slopes(|_| true).0))
             }
         };
         if data.load.is_none() && acceleration.is_none() && !apparatus.offset {
@@ -124,58 +126,6 @@ impl<'a> Mounted<'a> {
             has_offset: self.has_offset,
             count: self.count,
         }
-    }
-}
-
-/// Half widths, in points, of differences that are tried.
-const WIDTHS: [usize; 6] = [1, 2, 4, 8, 16, 32];
-/// Share of noise in accelerations that is small enough.
-const QUIET: f64 = 0.2;
-
-/// Slopes of the velocity by differences, and the share of noise in their variance. The differences are as narrow as
-/// noise allows: neighbours that share no velocity must agree.
-pub(super) fn slopes(times: &[f64], velocities: &[f64]) -> (Vec<f64>, f64) {
-    let mut best = (Vec::new(), f64::INFINITY);
-    for width in WIDTHS {
-        if best.1 <= QUIET || (width > 1 && 8 * width > times.len()) {
-            break;
-        }
-        let slopes = differences(times, velocities, width);
-        let noise = noise_share(&slopes, width);
-        if noise < best.1 {
-            best = (slopes, noise);
-        }
-    }
-    best
-}
-
-/// Slopes of the velocity over so many points to either side.
-pub(super) fn differences(times: &[f64], velocities: &[f64], width: usize) -> Vec<f64> {
-    let last = times.len().saturating_sub(1);
-    let slope = |i: usize| {
-        let (before, after) = (i.saturating_sub(width), (i + width).min(last));
-        if before == after {
-            return 0.0;
-        }
-        (velocities[after] - velocities[before]) / (times[after] - times[before])
-    };
-    (0..times.len()).map(slope).collect()
-}
-
-/// Share of the variance that slopes do not have in common with neighbours that share no velocity with them: the
-/// autocorrelation of a smooth motion falls as a parabola, noise at once.
-fn noise_share(slopes: &[f64], width: usize) -> f64 {
-    let product = |lag: usize| {
-        let pairs = slopes.iter().zip(slopes.iter().skip(lag));
-        let count = slopes.len().saturating_sub(lag).max(1) as f64;
-        pairs.map(|(a, b)| a * b).sum::<f64>() / count
-    };
-    let (whole, apart) = (product(0), 2 * width + 1);
-    let common = (4.0 * product(apart) - product(2 * apart)) / 3.0;
-    if whole > 0.0 {
-        (1.0 - common / whole).max(0.0)
-    } else {
-        0.0
     }
 }
 

@@ -1,9 +1,9 @@
 //! Columns of a log as measurements: what is left out, and what is made of a friction without sign.
 
-use super::apparatus::slopes;
 use super::data::Measurements;
 use super::error::FitError;
 use super::law::FitLaw;
+use super::slopes::Accelerated;
 
 /// Columns of a log in SI, one number a row.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -70,17 +70,23 @@ impl FitColumns {
                 *f *= v.signum();
             }
         }
+        let sliding_only = self.times.is_none() || law.is_none_or(FitLaw::needs_motion);
+        let rests = |row: usize| sliding_only && self.velocities[row].abs() <= self.rest;
+        let lifts = |row: usize| self.load.as_ref().is_some_and(|load| load[row] <= 0.0);
         let mut acceleration_noise = 0.0;
         if let (true, None, Some(times)) =
             (self.wants_acceleration, &self.acceleration, &self.times)
         {
-            let (slopes, noise) = slopes(times, &self.velocities);
+            let record = Accelerated {
+                times,
+                velocities: &self.velocities,
+                friction: &self.friction,
+                load: self.load.as_deref(),
+            };
+            let (slopes, noise) = record.slopes(|row| !rests(row) && !lifts(row));
             self.acceleration = Some(slopes);
             acceleration_noise = noise;
         }
-        let sliding_only = self.times.is_none() || law.is_none_or(FitLaw::needs_motion);
-        let rests = |row: usize| sliding_only && self.velocities[row].abs() <= self.rest;
-        let lifts = |row: usize| self.load.as_ref().is_some_and(|load| load[row] <= 0.0);
         let all = || 0..self.velocities.len();
         let lifted = all().filter(|&row| lifts(row)).count();
         let resting = all().filter(|&row| rests(row) && !lifts(row)).count();

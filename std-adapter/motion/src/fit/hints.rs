@@ -1,10 +1,10 @@
 //! What residuals say of the machine: a constant force, an inertia, a curve that the law does not have.
 
-use super::apparatus::slopes;
 use super::caution::Caution;
 use super::data::Measurements;
 use super::residual_tests::residual_tests;
 use super::result::CORRELATED;
+use super::slopes::Accelerated;
 
 /// Standard errors from which on a hint is believed.
 const BELIEVED: f64 = 5.0;
@@ -33,8 +33,8 @@ pub(super) fn hints(
     if has("offset") && (of_sign(1.0) < ENOUGH || of_sign(-1.0) < ENOUGH) {
         all.push(Caution::OneWay);
     }
-    if let (Some(times), false) = (data.times(), has("inertia")) {
-        let (accelerations, _) = slopes(times, velocities);
+    if let (Some(record), false) = (Accelerated::of(data, residuals), has("inertia")) {
+        let (accelerations, _) = record.slopes(|_| true);
         let value = explained(residuals, &accelerations, factor);
         all.extend(value.map(|value| Caution::Inertia { value }));
     }

@@ -57,6 +57,7 @@ mod residual_tests;
 mod result;
 mod sample;
 mod search;
+mod slopes;
 mod standard_errors;
 pub mod strokes;
 pub mod support;
