@@ -235,8 +235,8 @@ fn films_of_disks_give_coefficient_and_radius_back() {
 }
 
 #[test]
-#[ignore = "750 films: cargo test -p tribos-motion --lib five_hundred_films -- --ignored --nocapture"]
-fn five_hundred_films() {
+#[ignore = "750 films: cargo test -p tribos-motion --lib hundreds_of_films -- --ignored --nocapture"]
+fn hundreds_of_films() {
     let count = std::env::var("FILMS")
         .ok()
         .and_then(|text| text.parse().ok())

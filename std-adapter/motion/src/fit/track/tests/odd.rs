@@ -192,6 +192,18 @@ fn without_the_angle_a_body_that_may_not_spin_has_the_coefficient_of_sliding() {
         found.speeds[0] / (least * still.radius)
     );
     assert_said(&fit_track(&track, &options).unwrap(), &spin);
+    // Of a short slide the coefficient has no upper end.
+    let short = Filmed {
+        mu: 0.45,
+        speed: 1.0,
+        ..still
+    };
+    let found = fitted(&film(&short, false));
+    let mu = found.estimate("mu").unwrap();
+    assert!(mu.interval[0] < 0.45 && mu.interval[1].is_infinite());
+    assert!((mu.value / 0.45 - 1.0).abs() < 0.1, "{}", mu.value);
+    assert_eq!(mu.known, Uncertainty::Undetermined(vec!["ratio"]));
+    assert!(!found.warnings.iter().any(|said| said.contains("--fix mu")));
 }
 
 #[test]
