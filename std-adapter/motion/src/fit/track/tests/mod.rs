@@ -2,6 +2,7 @@ mod bound;
 mod filmed;
 mod laws;
 mod odd;
+mod spin;
 
 use super::*;
 use crate::fit::Uncertainty;

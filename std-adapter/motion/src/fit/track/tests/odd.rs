@@ -4,7 +4,7 @@ use super::filmed::{DISK, Filmed, RATE};
 use super::*;
 use crate::fit::Uncertainty;
 
-const PUCK: Filmed = Filmed {
+pub const PUCK: Filmed = Filmed {
     mu: 0.2,
     radius: 0.04,
     speed: 1.5,
@@ -13,7 +13,7 @@ const PUCK: Filmed = Filmed {
     noise: [1e-3, 0.02],
 };
 
-fn film(body: &Filmed, has_angle: bool) -> Track {
+pub fn film(body: &Filmed, has_angle: bool) -> Track {
     DISK.film(body, &mut Random::new(3, 0), has_angle)
 }
 
@@ -30,11 +30,11 @@ fn changed(track: &Track, change: impl Fn(usize, [f64; 4]) -> [f64; 4]) -> Track
     Track::new(column(0), column(1), column(2), angle).unwrap()
 }
 
-fn fitted(track: &Track) -> TrackFit {
+pub fn fitted(track: &Track) -> TrackFit {
     fit_track(track, &TrackOptions::default()).unwrap()
 }
 
-fn assert_near(fit: &TrackFit, name: &str, truth: f64) {
+pub fn assert_near(fit: &TrackFit, name: &str, truth: f64) {
     let estimate = fit.estimate(name).unwrap();
     let Uncertainty::StandardError(error) = estimate.known else {
         panic!("{name}: {estimate:?}");
@@ -51,7 +51,7 @@ fn assert_near(fit: &TrackFit, name: &str, truth: f64) {
     );
 }
 
-fn assert_said(fit: &TrackFit, part: &str) {
+pub fn assert_said(fit: &TrackFit, part: &str) {
     assert!(
         fit.warnings.iter().any(|said| said.contains(part)),
         "{part}: {:#?}",
@@ -128,82 +128,6 @@ fn gaps_and_rest_are_no_trouble() {
     let found = fitted(&gap.unwrap());
     assert_near(&found, "mu", PUCK.mu);
     assert_near(&found, "R", PUCK.radius);
-}
-
-/// Where the frames refuse no spin, the motion of the least sum of squares is told.
-#[test]
-fn without_the_angle_a_spin_that_shows_is_found() {
-    for spin in [PUCK.spin, 150.0] {
-        let body = Filmed { spin, ..PUCK };
-        let found = fitted(&film(&body, false));
-        assert_said(&found, "without the angle");
-        assert!(found.estimate("R").is_none());
-        assert_near(&found, "mu", body.mu);
-        assert_near(&found, "ratio", body.speed / (spin * body.radius));
-        let [_, most] = found.estimate("ratio").unwrap().interval;
-        assert!(most < 2.0, "{most}");
-        assert!(!found.warnings.iter().any(|said| said.contains("no spin")));
-    }
-}
-
-/// A body without spin has x = v t − μ g t²/2. At its final ratio of 0.65 under a coefficient 1.6 times as large it would
-/// slow down as uniformly, and in half of these films the least sum of squares is about there.
-#[test]
-fn without_the_angle_a_body_that_may_not_spin_has_the_coefficient_of_sliding() {
-    let tally = Tally::of(6, 8, false, 0.0);
-    assert_eq!(tally.failed, 0);
-    // In one of twenty films noise looks like a spin.
-    assert!(quantile(&tally.mu, 0.8) < 0.01, "{:?}", tally.mu);
-    let still = Filmed { spin: 0.0, ..PUCK };
-    let track = film(&still, false);
-    let found = fitted(&track);
-    assert!(
-        found
-            .value("mu")
-            .is_some_and(|mu| (mu / still.mu - 1.0).abs() < 0.005)
-    );
-    assert_said(&found, "a mark on the body");
-    // It may as well be one at the final ratio under a larger coefficient, and the errors say so.
-    let [mu, ratio] = ["mu", "ratio"].map(|name| found.estimate(name).unwrap());
-    let ([low, high], [least, most]) = (mu.interval, ratio.interval);
-    assert!(low < PUCK.mu && high > 1.4 * PUCK.mu, "{low} {high}");
-    assert!(least < 0.7 && most.is_infinite(), "{least} {most}");
-    assert_eq!(ratio.known, Uncertainty::AtBound);
-    assert!(
-        matches!(mu.known, Uncertainty::StandardError(error) if (3.9..4.1).contains(&((high - low) / error)))
-    );
-    // The values are those of a body that is known not to spin.
-    let options = TrackOptions {
-        fixed: vec![("ratio".into(), 1e3)],
-        ..TrackOptions::default()
-    };
-    let known = fit_track(&track, &options).unwrap();
-    for (a, b) in found.parameters.iter().zip(&known.parameters) {
-        assert!((a.value - b.value).abs() < 1e-7, "{}", a.parameter.name);
-    }
-    assert!(!known.warnings.iter().any(|said| said.contains("no spin")));
-    // Of a radius the film tells the largest spin.
-    let options = TrackOptions {
-        fixed: vec![("R".into(), still.radius)],
-        ..TrackOptions::default()
-    };
-    let spin = format!(
-        "at most {:.4} rad/s",
-        found.speeds[0] / (least * still.radius)
-    );
-    assert_said(&fit_track(&track, &options).unwrap(), &spin);
-    // Of a short slide the coefficient has no upper end.
-    let short = Filmed {
-        mu: 0.45,
-        speed: 1.0,
-        ..still
-    };
-    let found = fitted(&film(&short, false));
-    let mu = found.estimate("mu").unwrap();
-    assert!(mu.interval[0] < 0.45 && mu.interval[1].is_infinite());
-    assert!((mu.value / 0.45 - 1.0).abs() < 0.1, "{}", mu.value);
-    assert_eq!(mu.known, Uncertainty::Undetermined(vec!["ratio"]));
-    assert!(!found.warnings.iter().any(|said| said.contains("--fix mu")));
 }
 
 #[test]
