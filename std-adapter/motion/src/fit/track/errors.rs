@@ -3,7 +3,6 @@
 use super::super::covariance::certainty;
 use super::super::estimate::Uncertainty;
 use super::super::minimise::{free, gradient};
-use super::super::parameter::Model;
 use super::super::unknowns::Unknowns;
 use super::weighted::Weighted;
 use nalgebra::DMatrix;
@@ -98,9 +97,8 @@ impl Errors {
     }
 
     /// Certainty of the parameter at coordinate `k`.
-    pub fn known(&self, film: &Weighted<'_>, k: usize, values: &[f64]) -> Uncertainty {
-        let unknowns = &film.unknowns;
-        let parameter = |k: usize| &film.model.parameters()[unknowns.sought[k]];
+    pub fn known(&self, unknowns: &Unknowns<'_>, k: usize, values: &[f64]) -> Uncertainty {
+        let parameter = |k: usize| &unknowns.model.parameters()[unknowns.sought[k]];
         if !self.inside.contains(&k) {
             return Uncertainty::AtBound;
         }
@@ -114,10 +112,10 @@ impl Errors {
     }
 
     /// Pairs of parameters that the frames hardly tell apart, and their correlation.
-    pub fn entangled(&self, film: &Weighted<'_>) -> Vec<(&'static str, &'static str, f64)> {
+    pub fn entangled(&self, unknowns: &Unknowns<'_>) -> Vec<(&'static str, &'static str, f64)> {
         /// Correlation beyond which two parameters are hardly told apart.
         const ENTANGLED: f64 = 0.99;
-        let name = |k: usize| film.model.parameters()[film.unknowns.sought[k]].name;
+        let name = |k: usize| unknowns.model.parameters()[unknowns.sought[k]].name;
         let c = &self.covariance;
         let mut pairs = Vec::new();
         for b in 0..c.nrows() {

@@ -1,7 +1,6 @@
 //! The search: several starts, noise and outliers, errors and intervals.
 
 use super::super::error::FitError;
-use super::super::estimate::{Estimate, Uncertainty};
 use super::super::halton::halton;
 use super::super::minimise::{Minimum, OFFSET};
 use super::super::parameter::Model;
@@ -12,6 +11,7 @@ use super::film::Track;
 use super::model::{TrackModel, Turning};
 use super::profile::intervals;
 use super::scan::widened;
+use super::shown::Shown;
 use super::weighted::{Noise, ROUGH, Weighted, first_noise};
 use super::words;
 use super::{TrackFit, TrackOptions};
@@ -248,7 +248,6 @@ fn result(
 ) -> Result<TrackFit, FitError> {
     let best = settled.minima.first().ok_or(FitError::NoStart)?;
     let unknowns = &film.unknowns;
-    let values = unknowns.values(&best.q);
     let freedoms = film.readings().saturating_sub(unknowns.sought.len()).max(1);
     let is_known = options.noise_position.is_some()
         && (options.noise_angle.is_some() || track.angle().is_none());
@@ -260,8 +259,8 @@ fn result(
     };
     let errors = Errors::new(film, &best.q, variance).ok_or(FitError::NoStart)?;
     let is_given = [options.noise_position, options.noise_angle].map(|noise| noise.is_some());
-    let rises = errors.quantiles(film, is_given);
-    let rises: Vec<f64> = rises.iter().map(|t| t * t * variance).collect();
+    let quantiles = errors.quantiles(film, is_given);
+    let rises: Vec<f64> = quantiles.iter().map(|t| t * t * variance).collect();
     let rise = rises.iter().copied().fold(0.0, f64::max);
     // Other minima that the frames do not exclude widen the intervals.
     let alike = settled
@@ -269,24 +268,15 @@ fn result(
         .iter()
         .filter(|end| end.cost <= best.cost + rise);
     let alike: Vec<&Minimum> = alike.collect();
-    let intervals = widened(film, &alike, &rises, || {
+    let scanned = widened(film, &alike, &rises, || {
         intervals(film, &alike, &errors.covariance, &rises)
     });
-    let parameters = film
-        .model
-        .parameters()
-        .iter()
-        .enumerate()
-        .map(|(j, parameter)| {
-            let place = unknowns.sought.iter().position(|&sought| sought == j);
-            Estimate {
-                parameter: *parameter,
-                value: values[j],
-                known: place.map_or(Uncertainty::Fixed, |k| errors.known(film, k, &values)),
-                interval: place.map_or([values[j]; 2], |k| intervals[k]),
-            }
-        });
-    let parameters: Vec<Estimate> = parameters.collect();
+    // The simplest motion that the frames allow, or the nearest to them.
+    let unspun = scanned.unspun.as_deref();
+    let unspun = unspun.and_then(|place| Shown::unspun(film, place, variance));
+    let shown = unspun.unwrap_or_else(|| Shown::least(film, best, errors));
+    let values = shown.values();
+    let parameters = shown.estimates(film, &scanned.intervals, &quantiles);
     let raw = film.raw(&values).ok_or(FitError::NoStart)?;
     let frames = film.model.frames();
     let dropped = (0..frames).filter(|&i| !film.is_kept[0][i] || !film.is_kept[1][i]);
@@ -299,7 +289,7 @@ fn result(
         freedoms,
         starts,
         at_best,
-        converged: best.converged,
+        converged: shown.minimum.converged,
         rms_position,
         rms_angle,
         residuals: raw.iter().map(|r| -r).collect(),
@@ -312,15 +302,18 @@ fn result(
     let [speed, rim] = film.model.speeds(&values);
     fit.ratio = speed / rim;
     fit.rest_time = words::rest(film.model, &values, track);
-    let others = alike.iter().skip(1).map(|end| unknowns.values(&end.q));
+    // Those with spin are in the intervals of one without.
+    let others = alike.iter().skip(1).filter(|_| !shown.is_unspun);
+    let others = others.map(|end| unknowns.values(&end.q));
     fit.warnings = words::warnings(&words::SeenMotion {
         fit: &fit,
         film,
         others: others.collect(),
         is_misfit: settled.is_misfit,
         radius,
-        chi_squared: is_known.then_some(best.cost / freedoms as f64),
-        correlations: errors.entangled(film),
+        is_unspun: shown.is_unspun,
+        chi_squared: is_known.then_some(shown.minimum.cost / freedoms as f64),
+        correlations: shown.entangled(),
     });
     Ok(fit)
 }

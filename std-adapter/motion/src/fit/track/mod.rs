@@ -12,7 +12,8 @@
 //!   the noise. They join all minima that the frames do not exclude.
 //! - The noise of positions and of angles is that of their own residuals, and t has its degrees of freedom.
 //! - Without the angle the film tells the ratio v/(|ω|R) in place of radius and spin, and the coefficient trades with it:
-//!   intervals join all that a scan of the ratio from 1/148 to 148 allows.
+//!   intervals join all that a scan of the ratio from 1/148 to 148 allows. Where that includes no spin, the motion without spin
+//!   is reported.
 //!
 //! A tilted floor, a body that leans and a load off its centre are not in it; a path that bends is reported.
 //!
@@ -39,6 +40,7 @@ mod march;
 mod model;
 mod profile;
 mod scan;
+mod shown;
 mod start;
 #[cfg(test)]
 #[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]

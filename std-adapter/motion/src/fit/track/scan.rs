@@ -44,9 +44,7 @@ impl<'a> Scan<'a> {
     /// Outwards from the best minimum, with the others; none where the ratio is not sought.
     pub fn new(film: &'a Weighted<'a>, minima: &[&Minimum]) -> Option<Self> {
         let from = minima.first()?;
-        let parameters = film.model.parameters();
-        let mut sought = film.unknowns.sought.iter();
-        let ratio = sought.position(|&j| parameters[j].name == "ratio")?;
+        let ratio = film.ratio()?;
         let mut scan = Self {
             film,
             ratio,
@@ -187,16 +185,27 @@ impl<'a> Scan<'a> {
     }
 }
 
+/// What a scan tells.
+pub(super) struct Scanned {
+    /// Of all unknowns.
+    pub intervals: Vec<[f64; 2]>,
+    /// Coordinates of a motion that hardly spins, if the interval of the ratio includes it.
+    pub unspun: Option<Vec<f64>>,
+}
+
 /// Intervals of all parameters; those around minima stay where the frames allow few ratios.
 pub(super) fn widened(
     film: &Weighted<'_>,
     alike: &[&Minimum],
     rises: &[f64],
     around: impl Fn() -> Vec<[f64; 2]>,
-) -> Vec<[f64; 2]> {
+) -> Scanned {
     let most = rises.iter().copied().fold(0.0, f64::max);
     let Some(mut scan) = Scan::new(film, alike) else {
-        return around();
+        return Scanned {
+            intervals: around(),
+            unspun: None,
+        };
     };
     let least = alike
         .first()
@@ -214,5 +223,10 @@ pub(super) fn widened(
         let [low, high] = scan.ends(k, least, rises[k]).map(|end| range.value(end));
         *interval = [interval[0].min(low), interval[1].max(high)];
     }
-    intervals
+    let is_allowed = |node: &&Node| node.at >= REACH && node.cost <= least + rises[scan.ratio];
+    let unspun = scan.nodes.last().filter(is_allowed);
+    Scanned {
+        intervals,
+        unspun: unspun.map(|node| node.q.clone()),
+    }
 }

@@ -109,6 +109,13 @@ impl<'a> Weighted<'a> {
         used.filter(|&i| self.kind(i) == kind).count()
     }
 
+    /// Place of the ratio v/(|ω|R) among the unknowns, where it is sought.
+    pub fn ratio(&self) -> Option<usize> {
+        let parameters = self.model.parameters();
+        let mut sought = self.unknowns.sought.iter();
+        sought.position(|&j| parameters[j].name == "ratio")
+    }
+
     /// Lengths over which predictions change.
     pub fn lengths(&self, unknowns: &Unknowns<'_>) -> Vec<DifferenceScale> {
         let parameters = self.model.parameters();

@@ -23,6 +23,8 @@ pub(super) struct SeenMotion<'a> {
     /// Values at other minima that the frames do not exclude.
     pub others: Vec<Vec<f64>>,
     pub is_misfit: bool,
+    /// Whether the motion is one without spin that the frames do not exclude.
+    pub is_unspun: bool,
     /// The radius that was given with a film without the angle.
     pub radius: Option<f64>,
     /// Reduced χ², where the noise was given.
@@ -35,6 +37,7 @@ pub(super) fn warnings(seen: &SeenMotion<'_>) -> Vec<String> {
     let mut words = seen.fit.track.notes().to_vec();
     words.extend(hand(seen));
     words.extend(outliers(seen));
+    words.extend(untold::unspun(seen));
     words.extend(untold::trade(seen));
     words.extend(untold::ambiguities(seen));
     words.extend(end_of_film(seen));

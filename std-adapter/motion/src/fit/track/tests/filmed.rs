@@ -2,6 +2,7 @@
 //! tabulated over the ratio of the speeds, and its motion is that of small Runge–Kutta steps.
 
 use super::super::Track;
+use std::sync::LazyLock;
 use tribos_base::random::Random;
 
 /// Directions of the integral, and places of the table.
@@ -16,8 +17,11 @@ pub const RATE: f64 = 60.0;
 /// Force and torque over μN and μNR at w/(v + w) = k/PLACES.
 pub struct Disk(Vec<[f64; 2]>);
 
+/// The table of all films.
+pub static DISK: LazyLock<Disk> = LazyLock::new(Disk::new);
+
 impl Disk {
-    pub fn new() -> Self {
+    fn new() -> Self {
         let at = |k: usize| {
             let w = k as f64 / PLACES as f64;
             if k == 0 {

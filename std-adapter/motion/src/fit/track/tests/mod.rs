@@ -2,10 +2,11 @@ mod bound;
 mod filmed;
 mod laws;
 mod odd;
+mod spin;
 
 use super::*;
 use crate::fit::Uncertainty;
-use filmed::{Disk, Filmed, GRAVITY};
+use filmed::{DISK, Filmed, GRAVITY};
 use nalgebra::{DVector as Vector, Matrix3, Vector3};
 use tribos_base::random::Random;
 
@@ -44,13 +45,14 @@ fn truths(body: &Filmed) -> [(&'static str, f64); 9] {
 }
 
 impl Tally {
-    fn of(count: usize, seed: u64, has_angle: bool) -> Self {
+    /// Random films, of bodies that spin as [`Filmed::random`] has it times `spinning`.
+    fn of(count: usize, seed: u64, has_angle: bool, spinning: f64) -> Self {
         let mut random = Random::new(seed, 0);
-        let disk = Disk::new();
         let mut tally = Self::default();
         for _ in 0..count {
-            let body = Filmed::random(&mut random);
-            let track = disk.film(&body, &mut random, has_angle);
+            let mut body = Filmed::random(&mut random);
+            body.spin *= spinning;
+            let track = DISK.film(&body, &mut random, has_angle);
             tally.add(&body, &track);
         }
         tally
@@ -212,10 +214,10 @@ impl Tally {
     }
 }
 
-/// Twenty films with the angle: the medians are far within 2 % and 15 %, and few intervals miss.
+/// Ten films with the angle: the medians are far within 2 % and 15 %, and few intervals miss.
 #[test]
 fn films_of_disks_give_coefficient_and_radius_back() {
-    let tally = Tally::of(20, 11, true);
+    let tally = Tally::of(10, 11, true, 1.0);
     assert_eq!(tally.failed, 0);
     assert!(
         quantile(&tally.mu, 0.5) < 0.005 && quantile(&tally.mu, 0.8) < 0.02,
@@ -230,12 +232,12 @@ fn films_of_disks_give_coefficient_and_radius_back() {
         .values()
         .fold([0, 0], |[a, b], [c, d]| [a + c, b + d]);
     assert!(inside as f64 > 0.88 * of as f64, "{inside} of {of}");
-    assert!(tally.agreed >= 18);
+    assert!(tally.agreed >= 9);
 }
 
 #[test]
-#[ignore = "500 films: cargo test -p tribos-motion --lib five_hundred_films -- --ignored --nocapture"]
-fn five_hundred_films() {
+#[ignore = "750 films: cargo test -p tribos-motion --lib hundreds_of_films -- --ignored --nocapture"]
+fn hundreds_of_films() {
     let count = std::env::var("FILMS")
         .ok()
         .and_then(|text| text.parse().ok())
@@ -244,6 +246,7 @@ fn five_hundred_films() {
         .ok()
         .and_then(|text| text.parse().ok())
         .unwrap_or(7);
-    Tally::of(count, seed, true).print("with the angle");
-    Tally::of(count, seed + 1, false).print("without the angle");
+    Tally::of(count, seed, true, 1.0).print("with the angle");
+    Tally::of(count, seed + 1, false, 1.0).print("without the angle");
+    Tally::of(count, seed + 1, false, 0.0).print("without the angle, of bodies that do not spin");
 }
