@@ -394,11 +394,6 @@ fn over_time(
     [speed, period, noise]: [f64; 3],
     (times, share): (Vec<f64>, f64),
 ) -> Result<Record, FitError> {
-        eprintln!(
-            "course {}",
-            format!("{course:?}").chars().take(60).collect::<String>()
-        );
-    }
     let v = |t: f64| speed * course.velocity(t / period);
     let times: Vec<f64> = times.iter().map(|t| t * period).collect();
     let mut state = law.first(v(times[0]), share);

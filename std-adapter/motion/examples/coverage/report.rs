@@ -56,6 +56,12 @@ impl Outcome {
         }
     }
 
+    /// Whether the fit said that its search or the sampling left something open.
+    fn is_told(&self) -> bool {
+        const OPEN: [&str; 4] = ["course", "steps", "not-converged", "few-agree"];
+        self.cautions.iter().any(|kind| OPEN.contains(kind))
+    }
+
     /// Number of parameters whose interval misses the truth.
     pub fn misses(&self) -> usize {
         let is_miss = |c: &&Covers| matches!(c, Covers::Known(false) | Covers::Open(false));
@@ -85,7 +91,7 @@ fn kind(caution: &Caution) -> &'static str {
 }
 
 /// Heads of the columns.
-pub const HEAD: &str = "| law | rows | fits | covered by parameter (open: covered/number) | wrong | s median, worst | cautions |\n|---|---|---|---|---|---|---|";
+pub const HEAD: &str = "| law | rows | fits | % covered, that without cautions of the search (open: covered/number) | wrong | s median, worst | cautions |\n|---|---|---|---|---|---|---|";
 
 /// One line of the table.
 pub fn line(name: &str, parameters: &[&str], all: &[Option<Result<Outcome, String>>]) -> String {
@@ -108,6 +114,18 @@ pub fn line(name: &str, parameters: &[&str], all: &[Option<Result<Outcome, Strin
         let mut text = format!("{name} ");
         if hit + miss > 0 {
             text += &format!("{:.1}", 100.0 * hit as f64 / (hit + miss) as f64);
+        }
+        let untold = made.iter().filter(|o| !o.is_told());
+        let untold: Vec<_> = untold.filter_map(|o| o.covers.get(j)).collect();
+        let count = |inside| {
+            untold
+                .iter()
+                .filter(|c| ***c == Covers::Known(inside))
+                .count()
+        };
+        let [hit, miss] = [true, false].map(count);
+        if hit + miss > 0 {
+            text += &format!("|{:.1}", 100.0 * hit as f64 / (hit + miss) as f64);
         }
         if open_hit + open_miss > 0 {
             text += &format!(" ({open_hit}/{})", open_hit + open_miss);
