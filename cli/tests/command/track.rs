@@ -32,7 +32,7 @@ fn a_film_gives_coefficient_and_launch_with_errors_and_files() -> Outcome {
         &[
             "coulomb on a disk",
             "mu ",
-            "95 %",
+            "[0.2486, 0.2502]",
             "starts",
             "rest          at t = 0.4",
             "as a law      coulomb:mu=0.2",

@@ -15,8 +15,8 @@ const CHANGE: f64 = 1e-4;
 const FORGOTTEN: f64 = 1e-6;
 /// Most points that tell an unknown.
 const MOST_POINTS: usize = 400;
-/// Most steps of the search for a state, and for the instant of a jump.
-const MOST_STEPS: usize = 3;
+/// Most rounds of the search for each part of a state, and for the instant of a jump.
+const MOST_ROUNDS: usize = 3;
 const MOST_OF_JUMPS: usize = 8;
 /// Step that ends the search.
 const CLOSE: f64 = 1e-9;
@@ -59,13 +59,12 @@ impl<M: Memory> Stretch<'_, M> {
     /// The state at the beginning with the least sum of squares after it.
     pub fn state(&self, advance: &impl Fn(M::State, usize) -> M::State) -> M::State {
         let begin = self.points[0];
-        let velocity = self.velocities[begin];
-        let first = self.law.first(velocity, self.measured(begin));
-        let shifted = |state, share| self.law.shifted(state, share, velocity);
-        let steps = if M::IS_LINEAR { 1 } else { MOST_STEPS };
+        let first = self.law.first(self.velocities[begin], self.measured(begin));
+        let shifted = |state, part, share| self.law.shifted(state, part, share);
         let search = Sought {
             first,
-            steps,
+            parts: M::PARTS,
+            rounds: if M::IS_LINEAR { 1 } else { MOST_ROUNDS * M::PARTS },
             points: self.points,
             change: CHANGE,
         };
@@ -98,20 +97,22 @@ pub(super) fn after_jump<S: Clone>(
 ) -> S {
     let search = Sought {
         first: MIDWAY,
-        steps: MOST_OF_JUMPS,
+        parts: 1,
+        rounds: MOST_OF_JUMPS,
         points,
         change,
     };
-    let shifted = |share: f64, change: f64| (share + change).clamp(0.0, 1.0);
+    let shifted = |share: f64, _, change: f64| (share + change).clamp(0.0, 1.0);
     search.state(jump, shifted, advance, misfit)
 }
 
-/// An unknown that is sought at the first of some points, in at most this number of Gauss–Newton steps.
+/// An unknown of some parts that is sought at the first of some points, by rounds of Gauss–Newton steps of each part.
 struct Sought<X> {
     first: X,
-    steps: usize,
+    parts: usize,
+    rounds: usize,
     points: [usize; 2],
-    /// Change of the unknown for its effect.
+    /// Change of a part for its effect.
     change: f64,
 }
 
@@ -120,25 +121,28 @@ impl<X: Copy + PartialEq> Sought<X> {
     fn state<S: Clone>(
         &self,
         state: impl Fn(X) -> S,
-        shifted: impl Fn(X, f64) -> X,
+        shifted: impl Fn(X, usize, f64) -> X,
         advance: &impl Fn(S, usize) -> S,
         misfit: &impl Fn(&S, usize) -> f64,
     ) -> S {
         let mut x = self.first;
-        for _ in 0..self.steps {
-            // An unknown at its limit is moved inwards.
-            let mut change = self.change;
-            let mut beside = shifted(x, change);
-            if beside == x {
-                change = -change;
-                beside = shifted(x, change);
+        for _ in 0..self.rounds {
+            let (before, mut longest) = (x, 0.0_f64);
+            for part in 0..self.parts {
+                // A part at its limit is moved inwards.
+                let mut change = self.change;
+                let mut beside = shifted(x, part, change);
+                if beside == x {
+                    change = -change;
+                    beside = shifted(x, part, change);
+                }
+                let step = self.step([state(x), state(beside)], change, advance, misfit);
+                x = shifted(x, part, step);
+                longest = longest.max(step.abs());
             }
-            let step = self.step([state(x), state(beside)], change, advance, misfit);
-            let next = shifted(x, step);
-            if next == x || step.abs() < CLOSE {
+            if x == before || longest < CLOSE {
                 break;
             }
-            x = next;
         }
         state(x)
     }

@@ -93,7 +93,7 @@ impl Memory for LuGre<f64> {
         }
     }
 
-    fn shifted(&self, state: Bristle<f64>, share: f64, _: f64) -> Bristle<f64> {
+    fn shifted(&self, state: Bristle<f64>, _: usize, share: f64) -> Bristle<f64> {
         let most = self.largest_deflection();
         let deflection = (state.deflection + share * most).max(-most).min(most);
         Bristle { deflection }
@@ -154,8 +154,8 @@ impl Memory for Dahl {
         Memory::first(&self.0, velocity, friction)
     }
 
-    fn shifted(&self, state: Bristle<f64>, share: f64, v: f64) -> Bristle<f64> {
-        self.0.shifted(state, share, v)
+    fn shifted(&self, state: Bristle<f64>, part: usize, share: f64) -> Bristle<f64> {
+        self.0.shifted(state, part, share)
     }
 
     fn advance(&self, state: Bristle<f64>, velocity: f64, dt: f64) -> Bristle<f64> {
@@ -276,9 +276,9 @@ impl Memory for ElastoPlastic {
         Memory::first(&self.law, velocity, friction).deflection
     }
 
-    fn shifted(&self, deflection: f64, share: f64, velocity: f64) -> f64 {
+    fn shifted(&self, deflection: f64, part: usize, share: f64) -> f64 {
         let state = Bristle { deflection };
-        self.law.shifted(state, share, velocity).deflection
+        self.law.shifted(state, part, share).deflection
     }
 
     fn advance(&self, deflection: f64, velocity: f64, dt: f64) -> f64 {

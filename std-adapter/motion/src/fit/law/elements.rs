@@ -28,7 +28,7 @@ impl Memory for ElasticPlastic {
         friction.max(-self.limit).min(self.limit)
     }
 
-    fn shifted(&self, force: f64, share: f64, _: f64) -> f64 {
+    fn shifted(&self, force: f64, _: usize, share: f64) -> f64 {
         (force + share * self.limit)
             .max(-self.limit)
             .min(self.limit)
@@ -96,6 +96,7 @@ impl Memory for Maxwell {
         },
     };
     const FORGETS: bool = true;
+    const PARTS: usize = SPRINGS;
     type State = [f64; SPRINGS];
 
     fn new(values: &[f64]) -> Option<Self> {
@@ -123,8 +124,11 @@ impl Memory for Maxwell {
         std::array::from_fn(|k| self.0[k].first(velocity, friction * self.0[k].limit / whole))
     }
 
-    fn shifted(&self, forces: Self::State, share: f64, velocity: f64) -> Self::State {
-        std::array::from_fn(|k| self.0[k].shifted(forces[k], share, velocity))
+    fn shifted(&self, mut forces: Self::State, part: usize, share: f64) -> Self::State {
+        if let Some((force, spring)) = forces.get_mut(part).zip(self.0.get(part)) {
+            *force = spring.shifted(*force, 0, share);
+        }
+        forces
     }
 
     fn advance(&self, forces: Self::State, velocity: f64, dt: f64) -> Self::State {

@@ -105,7 +105,7 @@ impl<E: StateEvolution + Send + Sync + 'static> Memory for RateState<f64, E> {
     }
 
     // By e-folds.
-    fn shifted(&self, state: StateVariable<f64>, share: f64, _: f64) -> StateVariable<f64> {
+    fn shifted(&self, state: StateVariable<f64>, _: usize, share: f64) -> StateVariable<f64> {
         let theta = state.theta * libm::exp(share.clamp(-MOST_FOLDS, MOST_FOLDS));
         StateVariable { theta }
     }

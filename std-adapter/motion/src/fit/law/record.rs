@@ -19,6 +19,8 @@ pub(super) trait Memory: Sized + Send + Sync + 'static {
     const IS_LINEAR: bool = false;
     /// Whether a record begins in the state of [`Memory::first`], rather than in one that is sought.
     const BEGINS_STEADY: bool = false;
+    /// Number of parts of the state that are sought on their own.
+    const PARTS: usize = 1;
     /// What the law remembers.
     type State: Copy + PartialEq;
 
@@ -31,8 +33,8 @@ pub(super) trait Memory: Sized + Send + Sync + 'static {
     /// The state at a point with this velocity and measured friction, roughly.
     fn first(&self, velocity: f64, friction: f64) -> Self::State;
 
-    /// The state changed by a share of its largest value, as far as the law admits.
-    fn shifted(&self, state: Self::State, share: f64, velocity: f64) -> Self::State;
+    /// The state with a part changed by a share of its largest value, as far as the law admits.
+    fn shifted(&self, state: Self::State, part: usize, share: f64) -> Self::State;
 
     /// The state after the time `dt` at a constant velocity.
     fn advance(&self, state: Self::State, velocity: f64, dt: f64) -> Self::State;

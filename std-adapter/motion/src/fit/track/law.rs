@@ -53,9 +53,7 @@ const STRIBECK: [FitParameter; 5] = [
         ..positive("k", "s/m", "viscous coefficient")
     },
 ];
-/// Places of mu_s, mu_d and of what keeps its usual value unless it is fixed: delta and k.
-const STATIC: usize = 0;
-const BOUNDARY: usize = 1;
+/// Places of what keeps its usual value unless it is fixed: delta and k.
 const USUAL: [(usize, f64); 2] = [(3, 2.0), (4, 0.0)];
 const POWER: [FitParameter; 2] = [
     positive("gamma", "(s/m)^alpha", "coefficient"),
@@ -93,11 +91,6 @@ impl TrackLaw {
         usual
             .find(|(place, _)| *place == parameter)
             .map(|(_, value)| *value)
-    }
-
-    /// The parameter that this one must not be below: friction at rest is not below the boundary branch.
-    pub(super) fn above(self, parameter: usize) -> Option<usize> {
-        (self == Self::Stribeck && parameter == STATIC).then_some(BOUNDARY)
     }
 
     /// Values that give about the same friction as `mu` at speeds about `speed`; `share` from 0 to 1 varies them.

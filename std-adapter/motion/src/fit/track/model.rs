@@ -285,8 +285,4 @@ impl Model for TrackModel<'_> {
         }
         values
     }
-
-    fn above(&self, parameter: usize) -> Option<usize> {
-        self.body.law.above(parameter)
-    }
 }

@@ -2,6 +2,7 @@
 
 use super::filmed::{GRAVITY, RATE, normal};
 use super::*;
+use crate::fit::Uncertainty;
 use crate::slide::Launch;
 use crate::slide::planar::{PlanarSimulation, PlanarState, Plate};
 
@@ -60,6 +61,48 @@ fn a_film_of_oil_gives_its_viscous_part() {
         "{:?}",
         fit.warnings
     );
+}
+
+/// dv/dt = −g (μ_d + (μ_s − μ_d) e^(−(v/v_s)²)) in steps of 10 µs.
+#[test]
+fn a_boundary_layer_gives_friction_at_rest() {
+    const STEP: f64 = 1e-5;
+    let (rest, boundary, knee) = (0.30_f64, 0.15_f64, 0.4_f64);
+    let (mut places, mut speed, mut place) = (vec![0.0], 1.5_f64, 0.0);
+    for k in 1..=150_000_u32 {
+        let friction =
+            |v: f64| GRAVITY * (boundary + (rest - boundary) * (-(v / knee) * (v / knee)).exp());
+        let middle = speed - 0.5 * STEP * friction(speed);
+        let next = (speed - STEP * friction(middle)).max(0.0);
+        place += 0.5 * STEP * (speed + next);
+        speed = next;
+        if k % 100 == 0 {
+            places.push(place);
+        }
+    }
+    let way = |t: f64| {
+        let at = (t / (100.0 * STEP)).min(places.len() as f64 - 2.0);
+        let (k, share) = (at as usize, at.fract());
+        places[k] + share * (places[k + 1] - places[k])
+    };
+    let options = TrackOptions {
+        law: TrackLaw::Stribeck,
+        fixed: vec![("ratio".into(), 1e3)],
+        ..TrackOptions::default()
+    };
+    let fit = fit_track(&straight(way, 80), &options).unwrap();
+    for (name, truth) in [("mu_s", rest), ("mu_d", boundary), ("vs", knee), ("vx", 1.5)] {
+        let found = fit.estimate(name).unwrap();
+        let [low, high] = found.interval;
+        assert!(low < truth && truth < high, "{name}: {found:?}");
+        let Uncertainty::StandardError(error) = found.known else {
+            panic!("{name}: {found:?}");
+        };
+        // Nearly linear: the interval is some four errors long.
+        let length = (high - low) / error;
+        assert!((3.0..6.0).contains(&length), "{name}: {found:?}");
+        assert!(high - low < truth, "{name}: {found:?}");
+    }
 }
 
 /// dv/dt = −g γ v^α has v^(1−α) = v₀^(1−α) − (1−α) g γ t.
