@@ -5,6 +5,8 @@ use super::estimate::Uncertainty;
 use super::jacobian::{DifferenceScale, Order};
 use super::linearised::Linearised;
 use super::minimise::{Problem, Stall, minimise};
+use super::outwards::{End, Outwards};
+use super::parameter::Range;
 use super::reduce::reduced;
 use super::sample::WeightedData;
 use super::search::problem;
@@ -13,12 +15,6 @@ use tribos_base::run::in_order;
 
 /// Normal quantile of an interval that covers 95 %.
 const NORMAL: f64 = 1.959_963_984_540_054;
-/// Relative error of the boundary that is good enough.
-const CLOSE: f64 = 0.02;
-/// Most minimisations on one side.
-const MOST: usize = 8;
-/// Largest factor of the distance from one trial to the next.
-const GROWTH: f64 = 4.0;
 /// Relative offset at which a minimisation on the profile ends.
 const OFFSET: f64 = 1e-4;
 /// When a minimisation has stalled: the rise of the sum of squares is known well enough.
@@ -35,6 +31,8 @@ const MOST_STEPS: usize = 8;
 const PROMISED: f64 = 0.01;
 /// First distance of a parameter at its bound, in its natural size.
 const STEP: f64 = 0.1;
+/// Largest first distance of a logarithm.
+const FIRST_LOGARITHM: f64 = 1.0;
 
 /// Quantile of Student's t for an interval that covers 95 %.
 ///
@@ -55,15 +53,16 @@ pub(super) fn student(freedoms: f64) -> f64 {
             / (92_160.0 * n * n * n * n)
 }
 
-/// The profile of a fit around its minimum.
+/// The profile of a fit around a minimum.
 pub(super) struct Profile<'a> {
     pub unknowns: &'a Unknowns<'a>,
     pub target: &'a WeightedData,
     pub lengths: &'a [DifferenceScale],
     /// Values at the minimum.
-    pub values: &'a [f64],
-    /// The minimum.
+    pub values: Vec<f64>,
+    /// The least sum of squares of all minima, and how far that of this one is above.
     pub cost: f64,
+    pub above: f64,
     /// Standard deviation of a residual, with what correlation adds.
     pub deviation: f64,
     /// Distance of the interval's ends in standard deviations.
@@ -152,44 +151,40 @@ impl Profile<'_> {
         let value = self.values[parameter];
         let at = range.coordinate(value);
         let [low, high] = self.ends_of_range(parameter, range.bounds());
-        let mut reach = match known {
+        let most = if side < 0.0 { at - low } else { high - at };
+        if most <= 0.0 {
+            return Ok(value);
+        }
+        let reach = match known {
             Uncertainty::StandardError(error) => self.quantile * error / range.derivative(value),
             _ => STEP * at.abs().max(self.natural(parameter)),
         };
-        let mut others = self.values.to_vec();
+        let search = Outwards {
+            first: match range {
+                Range::Positive => reach.min(FIRST_LOGARITHM),
+                _ => reach,
+            },
+            most,
+            wanted: self.quantile,
+            begin: self.above.max(0.0).sqrt() / self.deviation,
+        };
         let slopes = self.slopes(parameter);
-        // The distance of the nearest place that the data are known to refuse.
-        let mut refused = f64::INFINITY;
-        for _ in 0..MOST {
-            let place = (at + side * reach).max(low).min(high);
-            if place == at {
-                return Ok(value);
-            }
-            let moved = range.value(place);
-            let Some((cost, found)) = self.at((parameter, moved), &others, slopes.as_ref()) else {
-                reach *= 0.5;
-                continue;
+        let lower = LOWER * self.deviation * self.deviation + self.target.floor();
+        let end = search.end(self.values.clone(), |distance, others| {
+            let moved = range.value(at + side * distance);
+            let (cost, found) = self.at((parameter, moved), others, slopes.as_ref())?;
+            let risen = if cost < self.cost - lower {
+                -1.0
+            } else {
+                (cost - self.cost).max(0.0).sqrt() / self.deviation
             };
-            let lower = LOWER * self.deviation * self.deviation;
-            if cost < self.cost - lower - self.target.floor() {
-                return Err(found);
-            }
-            let rise = (cost - self.cost).max(0.0).sqrt() / self.deviation;
-            if (rise / self.quantile - 1.0).abs() < CLOSE {
-                return Ok(moved);
-            }
-            if rise < self.quantile && (place <= low || place >= high) {
-                return Ok(moved);
-            }
-            if rise > self.quantile {
-                refused = refused.min((place - at).abs());
-            }
-            let factor = (self.quantile / rise).clamp(1.0 / GROWTH, GROWTH);
-            reach = (place - at).abs() * factor;
-            others = found;
+            Some((found, risen))
+        });
+        match end {
+            End::At(distance) => Ok(range.value(at + side * distance)),
+            End::Open => Ok(range.value(at + side * most)),
+            End::Lower(values) => Err(values),
         }
-        // A search that ended on its count gives an interval that is too long rather than too short.
-        Ok(range.value((at + side * refused).max(low).min(high)))
     }
 
     /// The natural size of a parameter that is at its bound.
@@ -273,7 +268,7 @@ impl Profile<'_> {
         }
         let residuals = |q: &[f64]| self.target.residuals(&unknowns, q);
         let problem = self.problem(parameter, &unknowns, &residuals);
-        let q = unknowns.coordinates(self.values);
+        let q = unknowns.coordinates(&self.values);
         let slopes = Linearised::at(&problem, &q, Order::Second)?;
         (slopes.free.len() == q.len()).then_some(slopes)
     }

@@ -50,6 +50,7 @@ mod law;
 mod linear;
 mod linearised;
 mod minimise;
+mod outwards;
 mod parameter;
 mod reduce;
 mod refine;

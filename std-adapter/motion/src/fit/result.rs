@@ -8,6 +8,7 @@ use super::hints::hints;
 use super::interval::{Profile, Profiled, student};
 use super::jacobian::Order;
 use super::linearised::Linearised;
+use super::minimise::Minimum;
 use super::refine::{Paths, Refined};
 use super::residual_tests::{ResidualTests, residual_tests};
 use super::search::{Search, problem};
@@ -59,30 +60,36 @@ impl Certified {
             None => (at.deviation(), student(freedoms as f64 / (factor * factor))),
         };
         let certain = Certainties::of(&at, &unknowns, &values, deviation * factor);
-        let profile = Profile {
+        let deviation = deviation * factor;
+        let profile = |minimum: &Minimum| Profile {
             unknowns: &unknowns,
             target: paths.target,
             lengths: paths.lengths,
-            values: &values,
+            values: unknowns.values(&minimum.q),
             cost: best.cost,
-            deviation: deviation * factor,
+            above: minimum.cost - best.cost,
+            deviation,
             quantile,
         };
-        let steps = at.residuals.len() * refined.path.steps as usize * unknowns.sought.len();
         let mut converged = best.converged;
+        let steps = at.residuals.len() * refined.path.steps as usize * unknowns.sought.len();
+        let linear = || profile(best).linear(&certain.known);
         let intervals = if steps > MOST_PROFILED || best.cost <= problem.floor {
-            profile.linear(&certain.known)
+            linear()
         } else {
-            match profile.intervals(&certain.known) {
-                Profiled::Intervals(intervals) => intervals,
-                Profiled::Lower(_) if is_last => {
-                    converged = false;
-                    profile.linear(&certain.known)
-                }
-                Profiled::Lower(lower) => {
-                    return Ok(Self::Lower(unknowns.coordinates(&lower)));
+            let most = best.cost + quantile * quantile * deviation * deviation;
+            let alike = refined.minima.iter().filter(|(end, _)| end.cost <= most);
+            let mut joined: Option<Vec<[f64; 2]>> = None;
+            for (minimum, _) in alike {
+                match profile(minimum).intervals(&certain.known) {
+                    Profiled::Intervals(own) => joined = Some(union(joined, own)),
+                    Profiled::Lower(_) if is_last => converged = false,
+                    Profiled::Lower(lower) => {
+                        return Ok(Self::Lower(unknowns.coordinates(&lower)));
+                    }
                 }
             }
+            joined.unwrap_or_else(linear)
         };
         let parameters = unknowns.model.parameters().iter();
         let parameters = parameters.enumerate().map(|(j, parameter)| Estimate {
@@ -122,6 +129,17 @@ impl Certified {
         fit.cautions = all;
         Ok(Self::Fit(Box::new(fit)))
     }
+}
+
+/// The shortest intervals that include both, of all parameters.
+fn union(some: Option<Vec<[f64; 2]>>, others: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    let Some(some) = some else {
+        return others;
+    };
+    let pairs = some.iter().zip(&others);
+    pairs
+        .map(|([a, b], [low, high])| [a.min(*low), b.max(*high)])
+        .collect()
 }
 
 /// The tests with the drift of friction where that is clearer than the drift of the force: of a sample that moves to and fro.

@@ -64,7 +64,11 @@ impl<M: Memory> Stretch<'_, M> {
         let search = Sought {
             first,
             parts: M::PARTS,
-            rounds: if M::IS_LINEAR { 1 } else { MOST_ROUNDS * M::PARTS },
+            rounds: if M::IS_LINEAR {
+                1
+            } else {
+                MOST_ROUNDS * M::PARTS
+            },
             points: self.points,
             change: CHANGE,
         };

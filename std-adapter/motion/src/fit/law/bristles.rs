@@ -30,11 +30,21 @@ fn joint(guess: &Guess, unit: &[f64]) -> [f64; 6] {
     [
         fc,
         fc + (guess.excess + 0.02 * force) * 2.0 * unit[1],
-        guess.stribeck_speed * around(unit[2], 10.0),
+        stribeck_speed(guess, unit[2]),
         (guess.viscous + 0.01 * force / guess.speeds[1]) * 2.0 * unit[3],
         guess.stiffness * around(unit[4], STIFFNESS_FOLD),
         log_between(unit[5], DAMPING) * force / guess.speeds[1],
     ]
+}
+
+/// Half of the starts lie about the guess, the others at all speeds: few points near rest tell little of the curve.
+fn stribeck_speed(guess: &Guess, unit: f64) -> f64 {
+    let [slow, fast] = guess.speeds;
+    if unit < 0.5 {
+        guess.stribeck_speed * around(2.0 * unit, 10.0)
+    } else {
+        log_between(2.0 * unit - 1.0, [slow, fast])
+    }
 }
 
 /// Deflection that carries the measured friction, as far as bristles do.

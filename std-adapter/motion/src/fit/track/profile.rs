@@ -1,18 +1,11 @@
 //! Intervals from the profile of the sum of squares: it rises by t² of the noise at their ends.
 
 use super::super::minimise::Minimum;
+use super::super::outwards::{End, Outwards};
 use super::super::parameter::{Model, Range};
 use super::weighted::{ROUGH, Weighted};
 use nalgebra::DMatrix;
 
-/// Share of t within which an end is found.
-const CLOSE: f64 = 0.01;
-/// Trials for one end.
-const MOST_TRIALS: usize = 14;
-/// A trial between two keeps this share of their distance from either.
-const LEAST_SHARE: f64 = 0.05;
-/// Largest factor from one trial to the next outwards.
-const LONGEST: f64 = 3.0;
 /// Logarithms or, of other coordinates, standard errors beyond which an interval has no end.
 const OPEN_LOGARITHM: f64 = 5.0;
 const OPEN_ERRORS: f64 = 100.0;
@@ -31,24 +24,9 @@ struct Profile<'a> {
     covariance: &'a DMatrix<f64>,
 }
 
-/// An end of an interval.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum End {
-    /// The coordinate.
-    At(f64),
-    /// The data set no bound.
-    Open,
-}
-
 impl Profile<'_> {
-    /// Both ends along coordinate `k`.
-    fn ends(&self, k: usize, is_logarithm: bool) -> [End; 2] {
-        [-1.0, 1.0].map(|sign| self.end(k, sign, is_logarithm))
-    }
-
-    /// Searches outwards, then between what is too near and what is too far, on √ of the rise, which is nearly
-    /// linear.
-    fn end(&self, k: usize, sign: f64, is_logarithm: bool) -> End {
+    /// The coordinate on one side of coordinate `k`; none where the data set no bound.
+    fn end(&self, k: usize, sign: f64, is_logarithm: bool) -> Option<f64> {
         let wanted = self.rise.sqrt();
         let error = self.covariance[(k, k)].sqrt();
         let scale = 1.0 / OPEN_ERRORS;
@@ -58,52 +36,24 @@ impl Profile<'_> {
             (false, true) => (wanted * error, OPEN_ERRORS * error),
             (false, false) => (scale * self.from.q[k].abs().max(scale), f64::INFINITY),
         };
+        let at = self.from.q[k];
         let [low, high] = self.film.bounds(&self.film.unknowns)[k];
-        let room = if sign < 0.0 {
-            self.from.q[k] - low
-        } else {
-            high - self.from.q[k]
+        let room = if sign < 0.0 { at - low } else { high - at };
+        let search = Outwards {
+            first,
+            most: most.min(room),
+            wanted,
+            begin: (self.from.cost - self.least).max(0.0).sqrt(),
         };
-        let most = most.min(room);
-        let mut near = [0.0, (self.from.cost - self.least).max(0.0).sqrt()];
-        let mut far: Option<[f64; 2]> = None;
-        let mut at = first.min(most);
-        let mut place = self.from.q.clone();
-        for _ in 0..MOST_TRIALS {
-            let Some((found, rise)) = self.risen(k, self.from.q[k] + sign * at, &place) else {
-                far = Some([at, f64::INFINITY]);
-                at = 0.5 * (near[0] + at);
-                continue;
-            };
-            if (rise - wanted).abs() <= CLOSE * wanted {
-                return End::At(self.from.q[k] + sign * at);
-            }
-            if rise < wanted {
-                if at >= most {
-                    // Bounds of logarithms are those of the search alone.
-                    return if room <= most && !is_logarithm {
-                        End::At(self.from.q[k] + sign * at)
-                    } else {
-                        End::Open
-                    };
-                }
-                (near, place) = ([at, rise], found);
-            } else {
-                far = Some([at, rise]);
-            }
-            at = match far {
-                Some([end, rise]) if rise.is_finite() => {
-                    let share = (wanted - near[1]) / (rise - near[1]);
-                    near[0] + (end - near[0]) * share.clamp(LEAST_SHARE, 1.0 - LEAST_SHARE)
-                }
-                Some([end, _]) => 0.5 * (near[0] + end),
-                None => {
-                    let ahead = at * (wanted / near[1]).clamp(1.1, LONGEST);
-                    ahead.min(most)
-                }
-            };
+        let end = search.end(self.from.q.clone(), |distance, place| {
+            self.risen(k, at + sign * distance, place)
+        });
+        match end {
+            End::At(distance) => Some(at + sign * distance),
+            // Bounds of logarithms are those of the search alone.
+            _ if room <= most && !is_logarithm => Some(at + sign * room),
+            _ => None,
         }
-        End::At(self.from.q[k] + sign * at)
     }
 
     /// All coordinates with coordinate `k` held at a value, and √ of the rise above the least sum of squares.
@@ -159,12 +109,10 @@ pub(super) fn intervals(
                 rise: rises[k],
                 covariance,
             };
-            let [low, high] = profile.ends(k, range == Range::Positive);
-            let value = |end: End, open: f64| match end {
-                End::At(q) => range.value(q),
-                End::Open => open,
-            };
-            [value(low, nothing[0]), value(high, nothing[1])]
+            [(-1.0, nothing[0]), (1.0, nothing[1])].map(|(sign, open)| {
+                let end = profile.end(k, sign, range == Range::Positive);
+                end.map_or(open, |q| range.value(q))
+            })
         });
         around.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], [low, high]| {
             [a.min(low), b.max(high)]

@@ -91,7 +91,12 @@ fn a_boundary_layer_gives_friction_at_rest() {
         ..TrackOptions::default()
     };
     let fit = fit_track(&straight(way, 80), &options).unwrap();
-    for (name, truth) in [("mu_s", rest), ("mu_d", boundary), ("vs", knee), ("vx", 1.5)] {
+    for (name, truth) in [
+        ("mu_s", rest),
+        ("mu_d", boundary),
+        ("vs", knee),
+        ("vx", 1.5),
+    ] {
         let found = fit.estimate(name).unwrap();
         let [low, high] = found.interval;
         assert!(low < truth && truth < high, "{name}: {found:?}");
