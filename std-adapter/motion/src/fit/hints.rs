@@ -27,15 +27,15 @@ pub(super) fn hints(
     let velocities = data.velocities();
     let of_sign = |sign: f64| velocities.iter().filter(|v| **v * sign > 0.0).count();
     if !has("offset") && of_sign(1.0) >= ENOUGH && of_sign(-1.0) >= ENOUGH {
-        let ones = vec![1.0; residuals.len()];
-        all.extend(explained(residuals, &ones, factor).map(|value| Caution::Offset { value }));
+        let value = explained(residuals, |_| 1.0, factor);
+        all.extend(value.map(|value| Caution::Offset { value }));
     }
     if has("offset") && (of_sign(1.0) < ENOUGH || of_sign(-1.0) < ENOUGH) {
         all.push(Caution::OneWay);
     }
     if let (Some(record), false) = (Accelerated::of(data, residuals), has("inertia")) {
         let (accelerations, _) = record.slopes(|_| true);
-        let value = explained(residuals, &accelerations, factor);
+        let value = explained(residuals, |point| accelerations[point], factor);
         all.extend(value.map(|value| Caution::Inertia { value }));
     }
     if data.times().is_none() {
@@ -45,9 +45,14 @@ pub(super) fn hints(
 }
 
 /// The slope of residuals over something that they follow.
-fn explained(residuals: &[f64], along: &[f64], factor: f64) -> Option<f64> {
-    let product: f64 = residuals.iter().zip(along).map(|(r, x)| r * x).sum();
-    let [squares, length] = [residuals, along].map(|x| x.iter().map(|x| x * x).sum::<f64>());
+fn explained(residuals: &[f64], along: impl Fn(usize) -> f64, factor: f64) -> Option<f64> {
+    let (mut product, mut squares, mut length) = (0.0, 0.0, 0.0);
+    for (point, r) in residuals.iter().enumerate() {
+        let x = along(point);
+        product += r * x;
+        squares += r * r;
+        length += x * x;
+    }
     let share = product * product / (squares * length);
     let points = residuals.len() as f64 / (factor * factor);
     // Of the correlation: t² = n share/(1 − share).

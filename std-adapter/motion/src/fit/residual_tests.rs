@@ -67,22 +67,24 @@ pub struct ResidualTests {
 /// *Accuracy*: statistics agree with statsmodels and a direct sum to 1e-12; the correlation time to
 /// 1e-12 where its window is below 65 rows, else within its statistical error. *Cost*: linear.
 pub fn residual_tests(residuals: &[f64], sigma: Option<&[f64]>) -> Option<ResidualTests> {
-    let weighed: Vec<f64> = match sigma {
+    let mut scaled: Vec<f64> = match sigma {
         None => residuals.to_vec(),
         Some(sigma) if sigma.len() == residuals.len() => {
             residuals.iter().zip(sigma).map(|(r, s)| r / s).collect()
         }
         Some(_) => return None,
     };
-    if weighed.len() < FEWEST || weighed.iter().any(|r| !r.is_finite()) {
+    if scaled.len() < FEWEST || scaled.iter().any(|r| !r.is_finite()) {
         return None;
     }
     // Squares neither overflow nor vanish.
-    let largest = weighed.iter().fold(0.0, |most: f64, r| most.max(r.abs()));
+    let largest = scaled.iter().fold(0.0, |most: f64, r| most.max(r.abs()));
     let unit = power_of_two(largest);
-    let scaled: Vec<f64> = weighed.iter().map(|r| r / unit).collect();
-    let lag_one = Autocorrelation::of(&scaled)?.at(1);
-    let correlation_time = correlation_time(&scaled);
+    for r in &mut scaled {
+        *r /= unit;
+    }
+    let lag_one = Autocorrelation::of(scaled.clone())?.at(1);
+    let correlation_time = correlation_time(scaled.clone());
     let (runs_z, runs_p) = runs(&scaled);
     let (drift, drift_z) = drift(&scaled);
     let (outliers, robust) = outliers(&scaled);
@@ -170,9 +172,11 @@ struct Autocorrelation {
 
 impl Autocorrelation {
     /// None if all values are equal.
-    fn of(values: &[f64]) -> Option<Self> {
-        let mean = values.iter().sum::<f64>() / values.len() as f64;
-        let centred: Vec<f64> = values.iter().map(|x| x - mean).collect();
+    fn of(mut centred: Vec<f64>) -> Option<Self> {
+        let mean = centred.iter().sum::<f64>() / centred.len() as f64;
+        for x in &mut centred {
+            *x -= mean;
+        }
         let squares = product(&centred, &centred);
         (squares > 0.0).then_some(Self { centred, squares })
     }
@@ -201,21 +205,21 @@ fn product(one: &[f64], other: &[f64]) -> f64 {
 }
 
 /// Integrated autocorrelation time in rows; ½ for values that are all equal.
-pub(super) fn correlation_time(values: &[f64]) -> f64 {
+pub(super) fn correlation_time(mut level: Vec<f64>) -> f64 {
     const INDEPENDENT: f64 = 0.5;
-    let mut level = values.to_vec();
     // Rows per value of this level, times its variance over that of the rows.
     let mut share = 1.0;
     let mut first_variance = None;
     loop {
-        let Some(correlation) = Autocorrelation::of(&level) else {
+        let count = level.len();
+        let Some(correlation) = Autocorrelation::of(level) else {
             return INDEPENDENT;
         };
-        let variance = correlation.squares / level.len() as f64;
+        let variance = correlation.squares / count as f64;
         let of_rows = *first_variance.get_or_insert(variance);
         let mut time = INDEPENDENT;
-        let may_pair = level.len() > 4 * MOST_LAGS;
-        let most = if may_pair { MOST_LAGS } else { level.len() - 1 };
+        let may_pair = count > 4 * MOST_LAGS;
+        let most = if may_pair { MOST_LAGS } else { count - 1 };
         for lag in 1..=most {
             time += correlation.at(lag);
             let is_last = lag == most && !may_pair;
@@ -223,10 +227,8 @@ pub(super) fn correlation_time(values: &[f64]) -> f64 {
                 return (share * time * variance / of_rows).max(0.0);
             }
         }
-        level = level
-            .chunks_exact(2)
-            .map(|pair| 0.5 * pair.iter().sum::<f64>())
-            .collect();
+        let centred = correlation.centred.chunks_exact(2);
+        level = centred.map(|pair| 0.5 * pair.iter().sum::<f64>()).collect();
         share *= 2.0;
     }
 }
@@ -245,7 +247,7 @@ pub(super) fn drift(values: &[f64]) -> (f64, f64) {
         .map(|(x, r)| r - mean - slope * x)
         .collect();
     let variance = product(&left, &left) / (count - 2.0);
-    let error = (variance / spread).sqrt() * error_factor(correlation_time(&left));
+    let error = (variance / spread).sqrt() * error_factor(correlation_time(left));
     (slope, if error > 0.0 { slope / error } else { 0.0 })
 }
 

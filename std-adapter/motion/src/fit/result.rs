@@ -41,25 +41,27 @@ impl Certified {
         let (best, at_best) = refined.minima.first().ok_or(FitError::NoStart)?;
         let residuals = |q: &[f64]| paths.target.residuals(&unknowns, q);
         let problem = problem(&residuals, &unknowns, paths.target, paths.lengths);
+        let values = unknowns.values(&best.q);
+        let (data, unit) = (paths.data, paths.target.unit);
+        let left = residuals(&best.q).ok_or(FitError::NoStart)?;
+        let tests = data.times().and_then(|_| residual_tests(&left, None));
+        let tests = tests.map(|tests| with_drift_along(tests, data, &left));
+        let factor = tests.as_ref().map_or(1.0, growth);
+        let points = left.len();
+        drop(left);
         // Far out wider differences may leave the law's domain.
         let at = Linearised::at(&problem, &best.q, Order::Fourth)
             .or_else(|| Linearised::at(&problem, &best.q, Order::Second))
             .ok_or(FitError::NoStart)?;
-        let values = unknowns.values(&best.q);
-        let (data, unit) = (paths.data, paths.target.unit);
-        let freedoms = at.residuals.len() - unknowns.sought.len();
-        let tests = paths
-            .data
-            .times()
-            .and_then(|_| residual_tests(&at.residuals, None));
-        let tests = tests.map(|tests| with_drift_along(tests, data, &at.residuals));
-        let factor = tests.as_ref().map_or(1.0, growth);
+        let freedoms = points - unknowns.sought.len();
+        let own = at.deviation();
         // Without known deviations their size is estimated from the residuals.
         let (deviation, quantile) = match data.sigma() {
             Some(_) => (unit, student(f64::INFINITY)),
-            None => (at.deviation(), student(freedoms as f64 / (factor * factor))),
+            None => (own, student(freedoms as f64 / (factor * factor))),
         };
         let certain = Certainties::of(&at, &unknowns, &values, deviation * factor);
+        drop(at);
         let deviation = deviation * factor;
         let profile = |minimum: &Minimum| Profile {
             unknowns: &unknowns,
@@ -72,7 +74,7 @@ impl Certified {
             quantile,
         };
         let mut converged = best.converged;
-        let steps = at.residuals.len() * refined.path.steps as usize * unknowns.sought.len();
+        let steps = points * refined.path.steps as usize * unknowns.sought.len();
         let linear = || profile(best).linear(&certain.known);
         let intervals = if steps > MOST_PROFILED || best.cost <= problem.floor {
             linear()
@@ -98,13 +100,13 @@ impl Certified {
             known: certain.known[j].clone(),
             interval: intervals[j].map(unbounded),
         });
-        let nothing = || vec![f64::NAN; at.residuals.len()];
+        let nothing = || vec![f64::NAN; points];
         let mut fit = Fit {
             parameters: parameters.collect(),
             covariance: certain.covariance,
             predictions: model.predict(&values).unwrap_or_else(nothing),
             cost: best.cost / unit / unit,
-            deviation: at.deviation() / unit,
+            deviation: own / unit,
             freedoms,
             is_weighted: data.sigma().is_some(),
             converged,

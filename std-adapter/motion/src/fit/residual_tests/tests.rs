@@ -142,13 +142,13 @@ fn correlated_series_have_their_correlation_time_and_no_drift() {
     }
     // Means of pairs give the sum over lags of the rows.
     let left = autoregressive(&mut random, 40_000, 0.99);
-    let rows = Autocorrelation::of(&left).unwrap();
+    let rows = Autocorrelation::of(left.clone()).unwrap();
     let (mut direct, mut lag) = (0.5, 0);
     while (lag as f64) < WINDOWS * direct {
         lag += 1;
         direct += rows.at(lag);
     }
-    let off = correlation_time(&left) / direct - 1.0;
+    let off = correlation_time(left) / direct - 1.0;
     assert!(lag > 4 * MOST_LAGS && off.abs() < 0.02, "{lag} {off}");
     // Slopes of correlated noise are no drift: 5 % and a little for τ from short series.
     let mut drifts = 0;

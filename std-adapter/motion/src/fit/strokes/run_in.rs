@@ -112,7 +112,7 @@ fn differs(left_out: &[f64], rest: &[f64]) -> bool {
             .map(|m| (m - level) * (m - level))
             .sum::<f64>()
     };
-    let factor = error_factor(correlation_time(rest));
+    let factor = error_factor(correlation_time(rest.to_vec()));
     let variance = squares(rest) / (count - 1.0) * factor * factor;
     // Means that differ by less than a thousandth are the same.
     let variance = variance + (RESOLUTION * level) * (RESOLUTION * level);

@@ -119,7 +119,7 @@ impl Level {
         let freedoms = left.len() as f64 - levels;
         let squares: f64 = left.iter().map(|x| x * x).sum();
         let deviation = (freedoms > 0.0).then(|| (squares / freedoms).sqrt());
-        let factor = error_factor(correlation_time(&left));
+        let factor = error_factor(correlation_time(left));
         Self {
             value,
             offset,
