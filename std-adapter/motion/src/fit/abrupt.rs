@@ -12,20 +12,18 @@ const JUMP: [f64; 2] = [0.2, 1e-3];
 
 /// Whether the velocity stays but for jumps.
 pub(super) fn is_stepped(velocities: &[f64]) -> bool {
-    let stays = velocities.windows(2).filter(|pair| {
-        let change = relative(pair);
-        change.is_nan() || change <= JUMP[1]
-    });
+    let stays = velocities.windows(2).filter(|pair| stays(pair));
     let has_jumps = velocities.windows(2).any(|pair| relative(pair) >= JUMP[0]);
     has_jumps && stays.count() as f64 >= STEADY * (velocities.len() - 1) as f64
 }
 
-/// Points before which the velocity changes much, but little before or after that.
+/// Points before which the velocity changes much, but little before or after that: jumps, and the ends of ramps.
 pub(super) fn jumps(velocities: &[f64]) -> Vec<usize> {
     if is_stepped(velocities) {
-        let pairs = velocities.windows(2).enumerate();
-        let jumps = pairs.filter(|(_, pair)| relative(pair) >= JUMP[0]);
-        return jumps.map(|(before, _)| before + 1).collect();
+        let stays: Vec<bool> = velocities.windows(2).map(stays).collect();
+        let is_end =
+            |&i: &usize| !stays[i] && (i > 0 && stays[i - 1] || stays.get(i + 1) == Some(&true));
+        return (0..stays.len()).filter(is_end).map(|i| i + 1).collect();
     }
     let [much, little] = ABRUPT;
     let largest = velocities
@@ -46,6 +44,12 @@ pub(super) fn jumps(velocities: &[f64]) -> Vec<usize> {
         return Vec::new();
     }
     abrupt
+}
+
+/// Whether the velocity is the same at two points.
+fn stays(pair: &[f64]) -> bool {
+    let change = relative(pair);
+    change.is_nan() || change <= JUMP[1]
 }
 
 /// Change of the velocity over the larger one.

@@ -67,6 +67,9 @@ pub(super) struct Profile<'a> {
     pub deviation: f64,
     /// Distance of the interval's ends in standard deviations.
     pub quantile: f64,
+    /// Values with parameters that are as good as zero at their usual size, if there are any: from there they may grow
+    /// again, which their logarithms do not show.
+    pub grown: Option<Vec<f64>>,
 }
 
 /// What a profile found.
@@ -172,7 +175,14 @@ impl Profile<'_> {
         let lower = LOWER * self.deviation * self.deviation + self.target.floor();
         let end = search.end(self.values.clone(), |distance, others| {
             let moved = range.value(at + side * distance);
-            let (cost, found) = self.at((parameter, moved), others, slopes.as_ref())?;
+            let (mut cost, mut found) = self.at((parameter, moved), others, slopes.as_ref())?;
+            let grown = self.grown.as_ref();
+            if let Some((other, there)) =
+                grown.and_then(|all| self.at((parameter, moved), all, None))
+                && other < cost
+            {
+                (cost, found) = (other, there);
+            }
             let risen = if cost < self.cost - lower {
                 -1.0
             } else {

@@ -190,3 +190,107 @@ fn laws_are_compared_and_those_that_the_data_cannot_tell_apart_are_named() {
     assert!((one(FitLaw::Viscous).foretold / 0.002 - 1.0).abs() < 0.2);
     assert!(left_out.iter().any(|(law, _)| *law == FitLaw::Dahl));
 }
+
+/// Steps of the velocity lie between the rows: the age after each follows the closed form of a constant velocity.
+#[test]
+fn steps_between_the_rows_are_found() {
+    const ROW: f64 = 0.5;
+    let mut random = Random::new(8, 0);
+    let (mut age, mut time) = (10.0, 0.0);
+    let (mut t, mut v, mut f) = (Vec::new(), Vec::new(), Vec::new());
+    for level in 1..=40_u32 {
+        let speed = if level % 2 == 1 { 1e-6 } else { 1e-5 };
+        let end = 6.137 * f64::from(level);
+        let after = |age: f64, dt: f64| {
+            let steady = 1e-5 / speed;
+            steady + (age - steady) * (-dt / steady).exp()
+        };
+        // Rows of this level.
+        while let next = ROW * t.len() as f64
+            && next <= end
+        {
+            age = after(age, next - time);
+            time = next;
+            t.push(time);
+            v.push(speed);
+            let friction = 0.6 + 0.010 * (speed / 1e-6_f64).ln() + 0.012 * (age / 10.0).ln();
+            f.push(friction + 1e-4 * normal(&mut random));
+        }
+        age = after(age, end - time);
+        time = end;
+    }
+    let data = Measurements::series(t, v, f, None).unwrap();
+    let fixed = [("v0", 1e-6), ("eta", 0.0)];
+    let fit = found(FitLaw::RateState, &data, Apparatus::default(), &fixed);
+    assert_inside(
+        &fit,
+        &[("mu0", 0.6), ("a", 0.010), ("b", 0.012), ("dc", 1e-5)],
+    );
+    assert!((fit.deviation() - 1e-4).abs() < 1e-5, "{}", fit.deviation());
+}
+
+/// Three springs that yield at forces, moved by a sine in steps of 0.1 ms. What happens while the record pauses is
+/// unknown to the fit.
+#[test]
+fn every_spring_begins_anew_after_a_gap() {
+    const STEP: f64 = 1e-4;
+    let springs = [[400.0, 1.0], [50.0, 0.8], [10.0, 0.6]];
+    let (mut random, mut forces) = (Random::new(4, 0), [0.3, -0.2, 0.5]);
+    let (mut t, mut v, mut f) = (Vec::new(), Vec::new(), Vec::new());
+    for k in 0..60_000_u32 {
+        let time = STEP * f64::from(k);
+        let speed = 0.3 * (1.9 * time).sin() + 0.2 * (5.3 * time).sin();
+        let is_pause = (2.0..2.4).contains(&time) || (4.1..4.3).contains(&time);
+        if k % 100 == 0 && !is_pause {
+            t.push(time);
+            v.push(speed);
+            f.push(forces.iter().sum::<f64>() + 0.01 * normal(&mut random));
+        }
+        let middle = time + 0.5 * STEP;
+        let moved = STEP * (0.3 * (1.9 * middle).sin() + 0.2 * (5.3 * middle).sin());
+        for (force, [stiffness, limit]) in forces.iter_mut().zip(springs) {
+            *force = (*force + stiffness * moved).clamp(-limit, limit);
+        }
+    }
+    let data = Measurements::series(t, v, f, None).unwrap();
+    let fit = found(FitLaw::Maxwell, &data, Apparatus::default(), &[]);
+    assert!((fit.deviation() - 0.01).abs() < 1e-3, "{}", fit.deviation());
+    for (k, [stiffness, limit]) in springs.into_iter().enumerate() {
+        let names = [["k1", "f1"], ["k2", "f2"], ["k3", "f3"]][k];
+        for (name, truth) in names.into_iter().zip([stiffness, limit]) {
+            let value = fit.value(name).unwrap();
+            assert!(
+                (value / truth - 1.0).abs() < 0.05,
+                "{name}: {value} {truth}"
+            );
+        }
+    }
+}
+
+/// Friction of 5 in the direction of the motion, on a constant force of 48.
+#[test]
+fn friction_on_a_large_offset_keeps_its_sign() {
+    let velocities: Vec<f64> = (0..40).map(|k| 0.1 * (f64::from(k) - 19.5)).collect();
+    let friction: Vec<f64> = velocities.iter().map(|v| 48.0 + 5.0 * v.signum()).collect();
+    let log = FitColumns {
+        velocities,
+        friction,
+        has_offset: true,
+        ..FitColumns::default()
+    };
+    let found = log.prepared(Some(FitLaw::Coulomb)).unwrap();
+    assert!(!found.is_signed_by_velocity);
+    let machine = Apparatus {
+        offset: true,
+        ..Apparatus::default()
+    };
+    let model = FitLaw::Coulomb.model_on(&found.data, machine).unwrap();
+    let fit = found
+        .data
+        .fit(model.as_ref(), &FitOptions::default())
+        .unwrap();
+    for (name, truth) in [("mu", 5.0), ("offset", 48.0)] {
+        let value = fit.value(name).unwrap();
+        assert!((value - truth).abs() < 1e-9, "{name}: {value}");
+    }
+}

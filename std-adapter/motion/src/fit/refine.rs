@@ -20,6 +20,8 @@ const REFUTED: f64 = 10.0;
 const MISSED: f64 = 0.1;
 /// Share of the change by jumps that the data have not decided.
 const HIDDEN: f64 = 0.5;
+/// Most intervals of a ramp that they do not resolve.
+const RAMP: usize = 3;
 /// Change of a parameter, over the parameter, that is rounding.
 const NOTHING: f64 = 1e-4;
 /// Factor from one number of steps to the next: errors shrink by its square.
@@ -95,6 +97,7 @@ impl<'a> Paths<'a, '_> {
                     && cost(&other.minima) < cost(&found.minima)
                 {
                     found = other;
+                    found.by_course = self.by_ramps(&found);
                 }
             } else {
                 self.more_steps(&mut found);
@@ -102,6 +105,14 @@ impl<'a> Paths<'a, '_> {
             }
         }
         self.precise(&found)
+    }
+
+    /// What ramps that a few points hardly show may change, where the velocity stays between them.
+    fn by_ramps(&self, found: &Refined<'a>) -> Option<Shift> {
+        let jumps = jumps(self.data.velocities());
+        let has_ramps = jumps.windows(2).any(|pair| pair[1] - pair[0] <= RAMP);
+        let straight = has_ramps.then(|| self.shift(found, Between::PLAIN))??;
+        Some(straight.part(MISSED)).filter(|shift| shift.errors > TOLD)
     }
 
     /// The same minima without the errors of a rough search.

@@ -9,10 +9,12 @@ use super::interval::{Profile, Profiled, student};
 use super::jacobian::Order;
 use super::linearised::Linearised;
 use super::minimise::Minimum;
+use super::parameter::Range;
 use super::refine::{Paths, Refined};
 use super::residual_tests::{ResidualTests, residual_tests};
 use super::search::{Search, problem};
 use super::standard_errors::Certainties;
+use super::unknowns::Unknowns;
 
 /// Steps of a record, times free parameters, up to which intervals come from profiles: beyond, errors are so small that
 /// the law is linear within them.
@@ -72,6 +74,7 @@ impl Certified {
             above: minimum.cost - best.cost,
             deviation,
             quantile,
+            grown: grown(&unknowns, &minimum.q),
         };
         let mut converged = best.converged;
         let steps = points * refined.path.steps as usize * unknowns.sought.len();
@@ -131,6 +134,24 @@ impl Certified {
         fit.cautions = all;
         Ok(Self::Fit(Box::new(fit)))
     }
+}
+
+/// Values at a minimum with the positive parameters that are as good as zero at the size of a first guess.
+fn grown(unknowns: &Unknowns<'_>, q: &[f64]) -> Option<Vec<f64>> {
+    /// Share of the size.
+    const NOTHING: f64 = 1e-3;
+    let model = unknowns.model;
+    let mut values = unknowns.values(q);
+    let usual = model.start(&vec![0.5; values.len()]);
+    let is_nothing = |j: &usize| {
+        let is_positive = model.parameters()[*j].range == Range::Positive;
+        is_positive && model.above(*j).is_none() && values[*j] < NOTHING * usual[*j]
+    };
+    let all: Vec<usize> = unknowns.sought.iter().copied().filter(is_nothing).collect();
+    for &j in &all {
+        values[j] = usual[j];
+    }
+    (!all.is_empty()).then_some(values)
 }
 
 /// The shortest intervals that include both, of all parameters.

@@ -89,6 +89,14 @@ impl<'a> Motion<'a> {
         self.jumps.binary_search(&point).is_ok()
     }
 
+    /// The point before which the velocity jumps again, some points after this one; else the last one.
+    pub fn next_jump(&self, point: usize, last: usize) -> usize {
+        /// The ends of a ramp may be closer.
+        const CLOSE: usize = 4;
+        let next = self.jumps.partition_point(|jump| *jump < point + CLOSE);
+        self.jumps.get(next).map_or(last, |jump| last.min(*jump))
+    }
+
     /// Passes the steps from the point before to `point` on: their lengths in time and mean velocities.
     ///
     /// A reversal lies between two steps, never within one.
@@ -216,4 +224,38 @@ pub(super) fn pieces(velocities: &[f64], count: usize) -> Vec<usize> {
     points.sort_unstable();
     points.dedup();
     points
+}
+
+#[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_smooth_course_goes_as_far_as_a_sine_and_turns_between_two_steps() {
+        // Eight points a cycle.
+        let times: Vec<f64> = (0..81)
+            .map(|k| f64::from(k) * std::f64::consts::TAU / 8.0 + 0.3)
+            .collect();
+        let velocities: Vec<f64> = times.iter().map(|t| t.sin()).collect();
+        let plain = Motion::new(&times, &velocities);
+        let motion = plain.along(Between {
+            steps: 16,
+            course: VelocityCourse::Smooth,
+        });
+        for point in 5..76 {
+            let (mut time, mut distance, mut signs) = (0.0, 0.0, Vec::new());
+            motion.steps(point, |dt, mean| {
+                time += dt;
+                distance += dt * mean;
+                signs.push(mean.signum());
+            });
+            let wanted = times[point - 1].cos() - times[point].cos();
+            assert!((time - (times[point] - times[point - 1])).abs() < 1e-12);
+            assert!((distance - wanted).abs() < 1e-3, "{distance} {wanted}");
+            signs.dedup();
+            let turns = velocities[point - 1] * velocities[point] < 0.0;
+            assert_eq!(signs.len(), if turns { 2 } else { 1 });
+        }
+    }
 }

@@ -109,7 +109,7 @@ impl<M: Memory> Model for Record<'_, M> {
                 velocities,
                 measured: &self.measured,
                 beside,
-                points: [begin, end],
+                points: [begin, self.motion.next_jump(begin, end)],
             };
             let mut state = if begin == 0 && M::BEGINS_STEADY {
                 law.first(velocities[0], self.measured[0])

@@ -113,7 +113,8 @@ impl Model for Sprung<'_> {
                     });
                     contact
                 };
-                let points = ([point, velocities.len()], CHANGE);
+                let end = self.motion.next_jump(point, velocities.len());
+                let points = ([point, end], CHANGE);
                 after_jump(points, &jump, &advance, &misfit)
             } else {
                 advance(contact, point)
