@@ -66,6 +66,16 @@ impl Linearised {
         all
     }
 
+    /// The least sum of squares of other residuals with the same slopes.
+    pub fn least(&self, residuals: &[f64]) -> f64 {
+        let whole: f64 = residuals.iter().map(|r| r * r).sum();
+        if self.free.is_empty() {
+            return whole;
+        }
+        let system = reduced(&self.jacobian, &self.free, residuals);
+        (whole - system.turned.norm_squared()).max(0.0)
+    }
+
     /// Change of the minimum's coordinates where residuals change: −(JᵀJ)⁻¹Jᵀ Δr.
     pub fn response(&self, change: &[f64]) -> DVector<f64> {
         /// Singular value over the largest of a combination that the data do not determine.

@@ -16,6 +16,8 @@ const AGREE: f64 = 0.1;
 const TOLD: f64 = 0.5;
 /// Difference of the sums of squares, in variances, beyond which the data refute the worse course.
 const REFUTED: f64 = 10.0;
+/// The same difference where the sums of squares come from slopes alone.
+const CLEAR: f64 = 100.0;
 /// Share of the change by a refuted course that the better one may still miss.
 const MISSED: f64 = 0.1;
 /// Share of the change by jumps that the data have not decided.
@@ -51,6 +53,14 @@ impl Shift {
             ..self
         }
     }
+}
+
+/// What another path would change.
+struct Change {
+    /// The largest change of a parameter, if it counts.
+    shift: Option<Shift>,
+    /// The least sum of squares there.
+    cost: f64,
 }
 
 /// The minima on the chosen path.
@@ -131,17 +141,19 @@ impl<'a> Paths<'a, '_> {
             steps: found.path.steps.max(MORE),
             course: VelocityCourse::Smooth,
         };
-        let mut told = self.shift(found, smooth);
-        if told.is_some()
+        let variance = self.variance(found);
+        let seen = self.change(found, smooth);
+        let mut told = seen.as_ref().and_then(|seen| seen.shift);
+        if seen.is_some_and(|seen| seen.cost - cost(&found.minima) > CLEAR * variance) {
+            told = told.map(|shift| shift.part(MISSED));
+        } else if told.is_some()
             && let Some(mut other) = self.on(smooth, &found.minima, ROUGH)
         {
             self.more_steps(&mut other);
             if cost(&other.minima) < cost(&found.minima) {
                 std::mem::swap(found, &mut other);
             }
-            let freedoms = self.data.friction().len() - self.unknowns.sought.len();
-            let variance = cost(&found.minima) / freedoms as f64;
-            if cost(&other.minima) - cost(&found.minima) > REFUTED * variance {
+            if cost(&other.minima) - cost(&found.minima) > REFUTED * self.variance(found) {
                 told = told.map(|shift| shift.part(MISSED));
             }
         }
@@ -149,6 +161,12 @@ impl<'a> Paths<'a, '_> {
         let counts = told.into_iter().chain(by_jumps);
         let counts = counts.filter(|shift| shift.errors > TOLD);
         found.by_course = counts.max_by(|a, b| a.errors.total_cmp(&b.errors));
+    }
+
+    /// Variance of a residual.
+    fn variance(&self, found: &Refined<'a>) -> f64 {
+        let freedoms = self.data.friction().len() - self.unknowns.sought.len();
+        cost(&found.minima) / freedoms as f64
     }
 
     /// Takes jumps where the velocity changes abruptly, if the data ask for them, or tells what they would change.
@@ -163,9 +181,7 @@ impl<'a> Paths<'a, '_> {
         };
         let mut other = self.on(path, &found.minima, ROUGH)?;
         // The instant of each is a freedom (Akaike 1974).
-        let freedoms = self.data.friction().len() - self.unknowns.sought.len();
-        let variance = cost(&other.minima) / freedoms as f64;
-        if cost(&other.minima) + 2.0 * count as f64 * variance < cost(&found.minima) {
+        if cost(&other.minima) + 2.0 * count as f64 * self.variance(&other) < cost(&found.minima) {
             std::mem::swap(found, &mut other);
             self.more_steps(found);
             return self
@@ -236,6 +252,11 @@ impl<'a> Paths<'a, '_> {
 
     /// The largest change, in standard errors, of a parameter on another path, if it counts.
     fn shift(&self, found: &Refined<'a>, path: Between) -> Option<Shift> {
+        self.change(found, path)?.shift
+    }
+
+    /// What another path would change, by the slopes on this one.
+    fn change(&self, found: &Refined<'a>, path: Between) -> Option<Change> {
         let other = self.model.along(path)?;
         let here = self
             .unknowns
@@ -268,7 +289,10 @@ impl<'a> Paths<'a, '_> {
             shift.errors > AGREE && shift.change.abs() > NOTHING * values[shift.parameter].abs()
         };
         let shifts = shifts.filter(|shift| shift.errors.is_finite() && counts(shift));
-        shifts.max_by(|a, b| a.errors.total_cmp(&b.errors))
+        Some(Change {
+            shift: shifts.max_by(|a, b| a.errors.total_cmp(&b.errors)),
+            cost: at.least(&moved),
+        })
     }
 }
 
