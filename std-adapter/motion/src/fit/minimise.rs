@@ -66,6 +66,8 @@ const SMALL: f64 = 0.1;
 
 /// Singular value over the largest below which a direction has no effect, so no step is taken along it.
 const FLAT: f64 = 1e-10;
+/// The same for a direction that the data do not determine: the errors of differences are larger than its effect.
+const LOOSE: f64 = 1e-7;
 
 /// When a search has stalled: where a law has kinks, descent may go on for long without a gain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -125,7 +127,7 @@ pub(super) fn minimise(
         watch(iterations);
         let slopes = problem.slopes(q, residuals, order)?;
         let step = Step::new(problem, q, residuals, &slopes);
-        let offset = step.offset(*cost);
+        let offset = step.offset(*cost, FLAT);
         if offset <= PRECISE {
             order = Order::Fourth;
         }
@@ -151,7 +153,7 @@ pub(super) fn minimise(
                 place = next;
             }
             None => {
-                let part = offset * (place.residuals.len() as f64).sqrt();
+                let part = step.offset(place.cost, LOOSE) * (place.residuals.len() as f64).sqrt();
                 return Some(Minimum {
                     q: place.q,
                     cost: place.cost,
@@ -326,12 +328,13 @@ impl Step {
         predicted
     }
 
-    /// Length of the residuals that a full step would remove, as a fraction of the whole.
-    fn offset(&self, cost: f64) -> f64 {
+    /// Length of the residuals that a full step would remove, as a fraction of the whole. No step goes where singular
+    /// values are this share of the largest.
+    fn offset(&self, cost: f64, flat: f64) -> f64 {
         let most = self.sigma.iter().copied().fold(0.0, f64::max);
         let pairs = self.sigma.iter().zip(self.shares.iter());
         let gained: f64 = pairs
-            .filter(|(s, _)| **s > FLAT * most)
+            .filter(|(s, _)| **s > flat * most)
             .map(|(_, c)| c * c)
             .sum();
         (gained / cost).sqrt()
