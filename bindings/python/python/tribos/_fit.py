@@ -407,8 +407,10 @@ def _columns(
 
 def estimates_of(rows: list[dict[str, Any]]) -> tuple[Estimate, ...]:
     """Fitted parameters."""
-    pairs = {"trades_with": tuple, "interval": tuple}
-    made = ({key: pairs.get(key, lambda x: x)(value) for key, value in row.items()} for row in rows)
+    tuples = ("trades_with", "interval")
+    made: list[dict[str, Any]] = [
+        {**row, **{key: tuple(row[key]) for key in tuples}} for row in rows
+    ]
     return tuple(Estimate(**row) for row in made)
 
 
