@@ -56,14 +56,14 @@ impl<'a> Motion<'a> {
         }
     }
 
-    /// The motion at selected points; with `is_whole` the motion between them keeps its distances.
+    /// The motion at selected points, straight between them; with `is_whole` it keeps its distances.
     pub fn at(&self, points: &[usize], is_whole: bool) -> Motion<'static> {
         let of = |values: &[f64]| points.iter().map(|&i| values[i]).collect();
         Motion {
             times: Cow::Owned(of(&self.times)),
             velocities: Cow::Owned(of(&self.velocities)),
             means: is_whole.then(|| self.merged(points)),
-            path: self.path,
+            path: Between::PLAIN,
             jumps: Vec::new(),
             slopes: Vec::new(),
         }
