@@ -1,5 +1,9 @@
-//! Where the velocity of a record changes abruptly between two points.
+//! Where a record pauses, and where its velocity changes abruptly between two points.
 
+/// Interval between two points over those before and after it that is a gap.
+const GAP: f64 = 4.0;
+/// Largest share of the points that are gaps; beyond, a record is sampled at random and has none.
+const MOST_GAPS: f64 = 0.01;
 /// Change of the velocity between two points that is abrupt: over the largest velocity, and that of a neighbour
 /// over it.
 const ABRUPT: [f64; 2] = [0.02, 0.25];
@@ -9,6 +13,23 @@ const MOST: f64 = 0.1;
 const STEADY: f64 = 0.8;
 /// Change of the velocity that is a jump, and the largest that is none, over the velocity.
 const JUMP: [f64; 2] = [0.2, 1e-3];
+
+/// Points where a record begins, or begins anew after a gap.
+pub(super) fn beginnings(times: &[f64]) -> Vec<usize> {
+    let long = |i: &usize| {
+        let dt = |i: usize| times.get(i).zip(times.get(i - 1)).map(|(b, a)| b - a);
+        let around = [*i - 1, *i + 1].map(|i| if i == 0 { None } else { dt(i) });
+        let [before, after] = around.map(|dt| dt.unwrap_or(0.0));
+        // A point between two gaps tells nothing.
+        after > 0.0 && before > 0.0 && dt(*i).is_some_and(|dt| dt > GAP * before.max(after))
+    };
+    let gaps: Vec<usize> = (1..times.len()).filter(long).collect();
+    let first = std::iter::once(0);
+    if gaps.len() as f64 > 1.0 + MOST_GAPS * times.len() as f64 {
+        return first.collect();
+    }
+    first.chain(gaps).collect()
+}
 
 /// Whether the velocity stays but for jumps.
 pub(super) fn is_stepped(velocities: &[f64]) -> bool {

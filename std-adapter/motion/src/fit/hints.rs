@@ -1,5 +1,6 @@
 //! What residuals say of the machine: a constant force, an inertia, a curve that the law does not have.
 
+use super::abrupt::is_stepped;
 use super::caution::Caution;
 use super::data::Measurements;
 use super::residual_tests::residual_tests;
@@ -33,7 +34,9 @@ pub(super) fn hints(
     if has("offset") && (of_sign(1.0) < ENOUGH || of_sign(-1.0) < ENOUGH) {
         all.push(Caution::OneWay);
     }
-    if let (Some(record), false) = (Accelerated::of(data, residuals), has("inertia")) {
+    // Jumps have no acceleration that rows could show.
+    let is_sought = !has("inertia") && !is_stepped(velocities);
+    if let (Some(record), true) = (Accelerated::of(data, residuals), is_sought) {
         let (accelerations, _) = record.slopes(|_| true);
         let value = explained(residuals, |point| accelerations[point], factor);
         all.extend(value.map(|value| Caution::Inertia { value }));

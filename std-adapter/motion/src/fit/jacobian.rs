@@ -47,6 +47,20 @@ pub(super) enum Order {
     Fourth,
 }
 
+impl Order {
+    /// The finest that so many residuals are worth: of many the errors of second order, some 1e-10, are far below what
+    /// noise leaves open.
+    pub fn finest(residuals: usize) -> Self {
+        /// Number of residuals from which on it is so.
+        const MANY: usize = 100_000;
+        if residuals > MANY {
+            Self::Second
+        } else {
+            Self::Fourth
+        }
+    }
+}
+
 /// ∂r/∂q at `q`; a coordinate whose steps would leave its bounds, or are refused, gets one-sided
 /// differences.
 pub(super) fn jacobian(

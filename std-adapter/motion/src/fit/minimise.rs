@@ -129,7 +129,7 @@ pub(super) fn minimise(
         let step = Step::new(problem, q, residuals, &slopes);
         let offset = step.offset(*cost, FLAT);
         if offset <= PRECISE {
-            order = Order::Fourth;
+            order = Order::finest(residuals.len());
         }
         let is_done = *cost <= problem.floor || offset <= problem.offset;
         let is_stalled = stalled == problem.stall.steps;

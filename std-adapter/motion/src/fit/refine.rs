@@ -55,10 +55,12 @@ impl Shift {
     }
 }
 
-/// What another path would change.
+/// What another path would change, by the slopes on this one.
 struct Change {
     /// The largest change of a parameter, if it counts.
     shift: Option<Shift>,
+    /// Coordinates of the minimum there.
+    place: Vec<f64>,
     /// The least sum of squares there.
     cost: f64,
 }
@@ -110,8 +112,8 @@ impl<'a> Paths<'a, '_> {
                     found.by_course = self.by_ramps(&found);
                 }
             } else {
-                self.more_steps(&mut found);
-                self.choose_course(&mut found);
+                let smooth = self.more_steps(&mut found, Some(VelocityCourse::Smooth));
+                self.choose_course(&mut found, smooth);
             }
         }
         self.precise(&found)
@@ -135,21 +137,17 @@ impl<'a> Paths<'a, '_> {
     }
 
     /// Takes the course between the points, straight or smooth, that suits the data better, and tells what another one
-    /// would change.
-    fn choose_course(&self, found: &mut Refined<'a>) {
-        let smooth = Between {
-            steps: found.path.steps.max(MORE),
-            course: VelocityCourse::Smooth,
-        };
-        let variance = self.variance(found);
-        let seen = self.change(found, smooth);
+    /// would change; `seen` is what the smooth one changes.
+    fn choose_course(&self, found: &mut Refined<'a>, seen: Option<Change>) {
+        let smooth = Self::beside(found, VelocityCourse::Smooth);
+        let clear = cost(&found.minima) + CLEAR * self.variance(found);
         let mut told = seen.as_ref().and_then(|seen| seen.shift);
-        if seen.is_some_and(|seen| seen.cost - cost(&found.minima) > CLEAR * variance) {
+        if seen.is_some_and(|seen| seen.cost > clear) {
             told = told.map(|shift| shift.part(MISSED));
         } else if told.is_some()
             && let Some(mut other) = self.on(smooth, &found.minima, ROUGH)
         {
-            self.more_steps(&mut other);
+            self.more_steps(&mut other, None);
             if cost(&other.minima) < cost(&found.minima) {
                 std::mem::swap(found, &mut other);
             }
@@ -183,7 +181,7 @@ impl<'a> Paths<'a, '_> {
         // The instant of each is a freedom (Akaike 1974).
         if cost(&other.minima) + 2.0 * count as f64 * self.variance(&other) < cost(&found.minima) {
             std::mem::swap(found, &mut other);
-            self.more_steps(found);
+            self.more_steps(found, None);
             return self
                 .shift(found, other.path)
                 .map(|shift| shift.part(MISSED));
@@ -191,23 +189,61 @@ impl<'a> Paths<'a, '_> {
         self.shift(found, path).map(|shift| shift.part(HIDDEN))
     }
 
-    /// Takes more steps until they no longer count.
-    fn more_steps(&self, found: &mut Refined<'a>) {
+    /// Another course with as many steps, but enough to follow a curve.
+    fn beside(found: &Refined<'_>, course: VelocityCourse) -> Between {
+        Between {
+            steps: found.path.steps.max(MORE),
+            course,
+        }
+    }
+
+    /// Takes more steps until they no longer count; gives what another course beside would change then.
+    fn more_steps(
+        &self,
+        found: &mut Refined<'a>,
+        beside: Option<VelocityCourse>,
+    ) -> Option<Change> {
         loop {
             let next = Between {
                 steps: found.path.steps * MORE,
                 ..found.path
             };
-            found.by_steps = self.shift(found, next);
+            let other = beside.map(|course| Self::beside(found, course));
+            let [more, other] = self.changes(found, [Some(next), other]);
+            found.by_steps = more.as_ref().and_then(|more| more.shift);
             let steps = next.steps as usize * self.data.friction().len();
             if found.by_steps.is_none() || next.steps > MOST || steps > MOST_IN_ALL {
-                return;
+                return other;
             }
-            match self.on(next, &found.minima, ROUGH) {
+            let places = self.foreseen(found, next, more);
+            match self.on(next, places.as_deref().unwrap_or(&found.minima), ROUGH) {
                 Some(finer) => *found = finer,
-                None => return,
+                None => return other,
             }
         }
+    }
+
+    /// The minima with the best one where the slopes foresee it on a path, if the sum of squares is smaller there.
+    fn foreseen(
+        &self,
+        found: &Refined<'a>,
+        path: Between,
+        change: Option<Change>,
+    ) -> Option<Vec<(Minimum, usize)>> {
+        let model = self.model.along(path)?;
+        let there = self.unknowns.with(model.as_ref());
+        let squares = |q: &[f64]| {
+            let residuals = self.target.residuals(&there, q)?;
+            Some(residuals.iter().map(|r| r * r).sum::<f64>())
+        };
+        let mut minima = found.minima.clone();
+        let best = &mut minima.first_mut()?.0.q;
+        let place = change?.place;
+        let is_lower = squares(&place)? < squares(best)?;
+        if is_lower {
+            *best = place;
+        }
+        Some(minima)
     }
 
     /// The minimum on the same path that a search from these coordinates finds, if it is lower.
@@ -218,12 +254,14 @@ impl<'a> Paths<'a, '_> {
             ..best.clone()
         };
         let mut lower = self.on(found.path, &[(start, 1)], ROUGH)?;
+        if cost(&lower.minima) >= best.cost {
+            return None;
+        }
         lower.by_course = found.by_course;
         if self.model.along(found.path).is_some() {
-            self.more_steps(&mut lower);
+            self.more_steps(&mut lower, None);
         }
-        let lower = self.precise(&lower)?;
-        (cost(&lower.minima) < best.cost).then_some(lower)
+        self.precise(&lower)
     }
 
     /// The minima on another path, to a relative offset.
@@ -252,31 +290,51 @@ impl<'a> Paths<'a, '_> {
 
     /// The largest change, in standard errors, of a parameter on another path, if it counts.
     fn shift(&self, found: &Refined<'a>, path: Between) -> Option<Shift> {
-        self.change(found, path)?.shift
+        let [change] = self.changes(found, [Some(path)]);
+        change?.shift
     }
 
-    /// What another path would change, by the slopes on this one.
-    fn change(&self, found: &Refined<'a>, path: Between) -> Option<Change> {
-        let other = self.model.along(path)?;
+    /// What other paths would change.
+    fn changes<const N: usize>(
+        &self,
+        found: &Refined<'a>,
+        paths: [Option<Between>; N],
+    ) -> [Option<Change>; N] {
         let here = self
             .unknowns
             .with(found.model.as_deref().unwrap_or(self.model));
-        let there = self.unknowns.with(other.as_ref());
-        let q = &found.minima.first()?.0.q;
-        let moved = self.target.residuals(&there, q)?;
         let residuals = |q: &[f64]| self.target.residuals(&here, q);
         let problem = problem(&residuals, &here, self.target, self.lengths);
-        let at = Linearised::at(&problem, q, Order::Second)?;
-        let change: Vec<f64> = moved
-            .iter()
-            .zip(&at.residuals)
-            .map(|(a, b)| a - b)
-            .collect();
-        let steps = at.response(&change);
+        let best = found.minima.first();
+        let at = best.and_then(|(best, _)| Linearised::at(&problem, &best.q, Order::Second));
+        let at = at.zip(best.map(|(best, _)| best.q.as_slice()));
+        paths.map(|path| {
+            let ((at, q), path) = at.as_ref().zip(path)?;
+            self.change((&here, at, q), path)
+        })
+    }
+
+    /// What another path would change, from the slopes at a minimum.
+    fn change(
+        &self,
+        (here, at, q): (&Unknowns<'_>, &Linearised, &[f64]),
+        path: Between,
+    ) -> Option<Change> {
+        let other = self.model.along(path)?;
+        let moved = self
+            .target
+            .residuals(&self.unknowns.with(other.as_ref()), q)?;
+        let cost = at.least(&moved);
+        let mut change = moved;
+        for (there, here) in change.iter_mut().zip(&at.residuals) {
+            *there -= here;
+        }
+        let response = at.response(&change);
+        let place = q.iter().zip(response.iter()).map(|(q, step)| q + step);
         let values = here.values(q);
         let slopes = here.slopes(&values);
-        let covariance = &slopes * at.covariance(&here) * slopes.transpose();
-        let steps = &slopes * steps;
+        let covariance = &slopes * at.covariance(here) * slopes.transpose();
+        let steps = &slopes * &response;
         let shifts = here.sought.iter().enumerate().map(|(k, &parameter)| {
             let error = covariance[(k, k)].sqrt() * at.deviation();
             Shift {
@@ -291,7 +349,8 @@ impl<'a> Paths<'a, '_> {
         let shifts = shifts.filter(|shift| shift.errors.is_finite() && counts(shift));
         Some(Change {
             shift: shifts.max_by(|a, b| a.errors.total_cmp(&b.errors)),
-            cost: at.least(&moved),
+            place: place.collect(),
+            cost,
         })
     }
 }

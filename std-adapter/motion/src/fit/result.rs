@@ -52,7 +52,7 @@ impl Certified {
         let points = left.len();
         drop(left);
         // Far out wider differences may leave the law's domain.
-        let at = Linearised::at(&problem, &best.q, Order::Fourth)
+        let at = Linearised::at(&problem, &best.q, Order::finest(points))
             .or_else(|| Linearised::at(&problem, &best.q, Order::Second))
             .ok_or(FitError::NoStart)?;
         let freedoms = points - unknowns.sought.len();

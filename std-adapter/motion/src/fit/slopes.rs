@@ -7,6 +7,7 @@
 //! Section and Panel Data*, chapter 5). The sum Σ s a with the true accelerations a is extrapolated to no width at all, as
 //! Richardson does, from Σ s s and from Σ s h with slopes h over half the width.
 
+use super::abrupt::beginnings;
 use super::data::Measurements;
 
 /// Half widths, in rows, that are tried.
@@ -19,8 +20,6 @@ const SHARPER: usize = 2;
 const LOSS: f64 = (SHARPER * SHARPER) as f64;
 /// Most rows by which a width is chosen.
 const MOST: usize = 50_000;
-/// Interval between two rows over those before and after it that is a gap.
-const GAP: f64 = 4.0;
 /// Share of a column's squares below which it is a sum of others.
 const NOTHING: f64 = 1e-12;
 
@@ -50,7 +49,7 @@ impl<'a> Accelerated<'a> {
 
     /// Accelerations in m/s² at all rows, and the share of noise in their variance. Only rows that slide choose the width.
     pub fn slopes(&self, slides: impl Fn(usize) -> bool) -> (Vec<f64>, f64) {
-        let begins = self.beginnings();
+        let begins = beginnings(self.times);
         let sliding = || (0..self.times.len()).filter(|row| slides(*row));
         let stride = sliding().count().div_ceil(MOST).max(1);
         let rows: Vec<usize> = sliding().step_by(stride).collect();
@@ -92,17 +91,6 @@ impl<'a> Accelerated<'a> {
         let scaled = |row| scale * self.slope(row, width, &begins, |_| true);
         let noise = if noise > 0.0 { noise.min(1.0) } else { 0.0 };
         ((0..self.times.len()).map(scaled).collect(), noise)
-    }
-
-    /// Rows where the record begins, or begins anew after a gap.
-    fn beginnings(&self) -> Vec<usize> {
-        let steps = self.times.windows(2).map(|pair| pair[1] - pair[0]);
-        let steps: Vec<f64> = steps.collect();
-        let gaps = steps
-            .windows(3)
-            .enumerate()
-            .filter_map(|(i, step)| (step[1] > GAP * step[0].max(step[2])).then_some(i + 2));
-        std::iter::once(0).chain(gaps).collect()
     }
 
     /// Slope of the straight line through a row's neighbours on the same side of all gaps, by least squares; 0 where

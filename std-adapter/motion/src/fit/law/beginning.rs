@@ -5,10 +5,6 @@ use super::course::MIDWAY;
 use super::record::Memory;
 use std::borrow::Cow;
 
-/// Interval between two points over those before and after it that is a gap.
-const GAP: f64 = 4.0;
-/// Largest share of the points that are gaps; beyond, a record is sampled at random and has none.
-const MOST_GAPS: f64 = 0.01;
 /// Change of an unknown for its effect: of a state over the largest one, of an instant over the interval.
 const CHANGE: f64 = 1e-4;
 /// Share of the effect from which on the state counts as forgotten.
@@ -20,23 +16,6 @@ const MOST_ROUNDS: usize = 3;
 const MOST_OF_JUMPS: usize = 8;
 /// Step that ends the search.
 const CLOSE: f64 = 1e-9;
-
-/// Points where a state begins: the first, and those after gaps.
-pub(super) fn beginnings(times: &[f64]) -> Vec<usize> {
-    let long = |i: &usize| {
-        let dt = |i: usize| times.get(i).zip(times.get(i - 1)).map(|(b, a)| b - a);
-        let around = [*i - 1, *i + 1].map(|i| if i == 0 { None } else { dt(i) });
-        let [before, after] = around.map(|dt| dt.unwrap_or(0.0));
-        // A point between two gaps tells of no state.
-        after > 0.0 && before > 0.0 && dt(*i).is_some_and(|dt| dt > GAP * before.max(after))
-    };
-    let gaps: Vec<usize> = (1..times.len()).filter(long).collect();
-    let first = std::iter::once(0);
-    if gaps.len() as f64 > 1.0 + MOST_GAPS * times.len() as f64 {
-        return first.collect();
-    }
-    first.chain(gaps).collect()
-}
 
 /// The points from a beginning on.
 pub(super) struct Stretch<'a, M: Memory> {

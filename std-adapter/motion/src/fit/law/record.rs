@@ -1,8 +1,9 @@
 //! Friction that has a memory: a record over time.
 
 use super::super::Measurements;
+use super::super::abrupt::beginnings;
 use super::super::parameter::{Between, FitParameter, Model};
-use super::beginning::{Stretch, beginnings};
+use super::beginning::Stretch;
 use super::course::Motion;
 use super::form::Form;
 use super::guess::Guess;
