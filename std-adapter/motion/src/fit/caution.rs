@@ -192,8 +192,8 @@ impl fmt::Display for Caution {
                 errors,
             } => write!(
                 f,
-                "the points are too far apart to tell the velocity between them: a smooth course in place of a \
-                 straight one changes {name} by {change:.2e} ({errors:.1} standard errors); sample more often"
+                "the points are too far apart to tell the velocity between them: another course may change {name} by \
+                 {change:.2e} ({errors:.1} standard errors); sample more often"
             ),
         }
     }

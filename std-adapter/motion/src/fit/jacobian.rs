@@ -1,6 +1,7 @@
 //! Derivatives of residuals by differences.
 
 use nalgebra::DMatrix;
+use tribos_base::run::in_order;
 
 /// Residuals as a function of the coordinates; `None` if the model refuses them.
 pub(super) type Residuals<'a> = dyn Fn(&[f64]) -> Option<Vec<f64>> + Sync + 'a;
@@ -47,12 +48,13 @@ pub(super) enum Order {
     Fourth,
 }
 
+/// Number of residuals beyond which they are many: a difference is worth two threads.
+const MANY: usize = 100_000;
+
 impl Order {
     /// The finest that so many residuals are worth: of many the errors of second order, some 1e-10, are far below what
     /// noise leaves open.
     pub fn finest(residuals: usize) -> Self {
-        /// Number of residuals from which on it is so.
-        const MANY: usize = 100_000;
         if residuals > MANY {
             Self::Second
         } else {
@@ -73,12 +75,12 @@ pub(super) fn jacobian(
     let mut jacobian = DMatrix::zeros(here.len(), q.len());
     for (j, mut column) in jacobian.column_iter_mut().enumerate() {
         let size = lengths[j].at(q[j]);
-        let mut line = Line {
+        let line = Line {
             residuals,
-            place: q.to_vec(),
-            at: q[j],
+            place: q,
             index: j,
             bounds: bounds[j],
+            are_many: here.len() > MANY,
         };
         let central = match order {
             Order::Second => line.short(SHORT_STEP * size),
@@ -95,35 +97,48 @@ pub(super) fn jacobian(
 /// Residuals along one coordinate.
 struct Line<'a> {
     residuals: &'a Residuals<'a>,
-    place: Vec<f64>,
-    at: f64,
+    place: &'a [f64],
     index: usize,
     bounds: [f64; 2],
+    /// Whether there are many residuals.
+    are_many: bool,
 }
 
 impl Line<'_> {
     /// The residuals at a distance; `None` beyond the bounds.
-    fn beyond(&mut self, shift: f64) -> Option<Vec<f64>> {
-        let moved = self.at + shift;
+    fn beyond(&self, shift: f64) -> Option<Vec<f64>> {
+        let mut place = self.place.to_vec();
+        let moved = place[self.index] + shift;
         let [low, high] = self.bounds;
         if !(low <= moved && moved <= high) {
             return None;
         }
-        self.place[self.index] = moved;
-        let found = (self.residuals)(&self.place);
-        self.place[self.index] = self.at;
-        found
+        place[self.index] = moved;
+        (self.residuals)(&place)
+    }
+
+    /// The residuals at a distance to either side, side by side where they are many.
+    fn around(&self, shift: f64) -> Option<(Vec<f64>, Vec<f64>)> {
+        let threads = std::thread::available_parallelism().map_or(1, usize::from);
+        if !self.are_many || threads == 1 {
+            return self.beyond(shift).zip(self.beyond(-shift));
+        }
+        let sides = [shift, -shift];
+        let mut found = in_order(sides.len(), threads, |side| self.beyond(sides[side])).into_iter();
+        let mut next = || found.next().flatten().flatten();
+        next().zip(next())
     }
 
     /// Rounds the step so that the increment and the divisor are the same number.
     fn rounded(&self, step: f64) -> f64 {
-        (self.at + step) - self.at
+        let at = self.place[self.index];
+        (at + step) - at
     }
 
     /// (8 (f(h) − f(−h)) − (f(2h) − f(−2h)))/12h
-    fn central(&mut self, step: f64) -> Option<Vec<f64>> {
+    fn central(&self, step: f64) -> Option<Vec<f64>> {
         let h = self.rounded(step);
-        let [far, near] = [2.0 * h, h].map(|h| self.beyond(h).zip(self.beyond(-h)));
+        let [far, near] = [2.0 * h, h].map(|h| self.around(h));
         let ((far_up, far_down), (mut up, down)) = far.zip(near)?;
         for (i, up) in up.iter_mut().enumerate() {
             *up = (8.0 * (*up - down[i]) - (far_up[i] - far_down[i])) / (12.0 * h);
@@ -132,9 +147,9 @@ impl Line<'_> {
     }
 
     /// (f(h) − f(−h))/2h
-    fn short(&mut self, step: f64) -> Option<Vec<f64>> {
+    fn short(&self, step: f64) -> Option<Vec<f64>> {
         let h = self.rounded(step);
-        let (mut up, down) = self.beyond(h).zip(self.beyond(-h))?;
+        let (mut up, down) = self.around(h)?;
         for (up, down) in up.iter_mut().zip(&down) {
             *up = (*up - down) / (2.0 * h);
         }
@@ -142,7 +157,7 @@ impl Line<'_> {
     }
 
     /// (4 f(h) − 3 f(0) − f(2h))/2h
-    fn one_sided(&mut self, step: f64, here: &[f64]) -> Option<Vec<f64>> {
+    fn one_sided(&self, step: f64, here: &[f64]) -> Option<Vec<f64>> {
         let h = self.rounded(step);
         let (near, far) = self.beyond(h).zip(self.beyond(2.0 * h))?;
         let slope = |i: usize| (4.0 * near[i] - 3.0 * here[i] - far[i]) / (2.0 * h);
