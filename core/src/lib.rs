@@ -104,6 +104,7 @@ pub mod bond;
 pub mod contact;
 pub mod coupling;
 mod error;
+pub mod floor;
 pub mod holding;
 mod lanes;
 pub mod law;

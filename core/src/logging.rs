@@ -15,7 +15,7 @@ use crate::limit_surface::{
     FrictionSet, LimitEllipsoid, RoundLimitSurface, ShapeLimitSurface, UnknownPressureSet,
 };
 use crate::patch::bar::Bar;
-use crate::patch::feet::CompoundPatch;
+use crate::patch::feet::{CompoundPatch, PatchPart};
 use crate::patch::mesh::{Mesh, Triangle};
 use crate::patch::nodes::{NodeBuffer, NodeList, NodePatch, NodeSlice};
 use crate::patch::outline::{Edge, Polygon, PressureField};
@@ -105,7 +105,7 @@ formats! {
         "mesh of {} triangles, radius {}", m.triangles().len(), m.radius();
     [R: Real + Format, P: NodePatch<R>] PointPatch<R, P>: |p|
         "{} points, radius {}", p.nodes().nodes().len(), p.radius();
-    [R: Real + Format, P: PatchShape<R>] CompoundPatch<'_, R, P>: |f|
+    [R: Real + Format, P: PatchShape<R>, S: AsRef<[PatchPart<R, P>]>] CompoundPatch<R, P, S>: |f|
         "{} feet, radius {}", f.feet().len(), f.radius();
     [R: Real + Format] PointLoad<R>: |p| "share {} at [{}, {}]", p.share, p.place.x, p.place.y;
     [R: Real + Format] Bar<R>: |b| "bar of half length {}", b.radius();

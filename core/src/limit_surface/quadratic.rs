@@ -4,7 +4,7 @@ use crate::real::Real;
 use nalgebra::{Matrix3, Vector3};
 
 /// L D Lᵀ of a symmetric, positive definite matrix.
-pub(super) struct Factors<R> {
+pub(crate) struct Factors<R> {
     /// Below the diagonal: yx, zx, zy.
     below: [R; 3],
     diagonal: [R; 3],
@@ -12,7 +12,7 @@ pub(super) struct Factors<R> {
 
 impl<R: Real> Factors<R> {
     /// The factors; pivots that rounding has made too small are raised to `least` of the diagonal.
-    pub(super) fn of(m: &Matrix3<R>, least: R) -> Self {
+    pub(crate) fn of(m: &Matrix3<R>, least: R) -> Self {
         let raised = |pivot: R, diagonal: R| {
             let floor = least * diagonal;
             if pivot < floor { floor } else { pivot }
@@ -29,7 +29,7 @@ impl<R: Real> Factors<R> {
     }
 
     /// The solution for one right side.
-    pub(super) fn solve(&self, right: &Vector3<R>) -> Vector3<R> {
+    pub(crate) fn solve(&self, right: &Vector3<R>) -> Vector3<R> {
         let ([a, b, c], [x, y, z]) = (self.below, self.diagonal);
         let second = right.y - a * right.x;
         let third = right.z - b * right.x - c * second;
@@ -39,7 +39,7 @@ impl<R: Real> Factors<R> {
     }
 
     /// The inverse.
-    pub(super) fn inverse(&self) -> Matrix3<R> {
+    pub(crate) fn inverse(&self) -> Matrix3<R> {
         let (one, zero) = (R::ONE, R::ZERO);
         let [x, y, z] = [
             Vector3::new(one, zero, zero),
@@ -51,26 +51,26 @@ impl<R: Real> Factors<R> {
     }
 }
 
-pub(super) fn dot<R: Real>(a: &Vector3<R>, b: &Vector3<R>) -> R {
+pub(crate) fn dot<R: Real>(a: &Vector3<R>, b: &Vector3<R>) -> R {
     a.x * b.x + a.y * b.y + a.z * b.z
 }
 
 /// |a|·|b|, part by part: what a·b rounds by, over the rounding error.
-pub(super) fn dot_of_sizes<R: Real>(a: &Vector3<R>, b: &Vector3<R>) -> R {
+pub(crate) fn dot_of_sizes<R: Real>(a: &Vector3<R>, b: &Vector3<R>) -> R {
     (a.x * b.x).abs() + (a.y * b.y).abs() + (a.z * b.z).abs()
 }
 
-pub(super) fn norm<R: Real>(a: &Vector3<R>) -> R {
+pub(crate) fn norm<R: Real>(a: &Vector3<R>) -> R {
     a.x.hypot(a.y).hypot(a.z)
 }
 
 /// a/size, whose reciprocal may be out of range.
-pub(super) fn over<R: Real>(a: &Vector3<R>, size: R) -> Vector3<R> {
+pub(crate) fn over<R: Real>(a: &Vector3<R>, size: R) -> Vector3<R> {
     Vector3::new(a.x / size, a.y / size, a.z / size)
 }
 
 /// g gᵀ
-pub(super) fn outer<R: Real>(g: &Vector3<R>) -> Matrix3<R> {
+pub(crate) fn outer<R: Real>(g: &Vector3<R>) -> Matrix3<R> {
     let (x, y, z) = (g.x, g.y, g.z);
     Matrix3::new(
         x * x,
@@ -86,7 +86,7 @@ pub(super) fn outer<R: Real>(g: &Vector3<R>) -> Matrix3<R> {
 }
 
 /// `factor` · m with another unit of length in the last row and column.
-pub(super) fn stretched<R: Real>(m: &Matrix3<R>, factor: R, [row, column]: [R; 2]) -> Matrix3<R> {
+pub(crate) fn stretched<R: Real>(m: &Matrix3<R>, factor: R, [row, column]: [R; 2]) -> Matrix3<R> {
     let (right, below) = (factor * column, factor * row);
     Matrix3::new(
         factor * m.m11,
@@ -102,7 +102,7 @@ pub(super) fn stretched<R: Real>(m: &Matrix3<R>, factor: R, [row, column]: [R; 2
 }
 
 /// A matrix times a symmetric one.
-pub(super) fn product<R: Real>(a: &Matrix3<R>, b: &Matrix3<R>) -> Matrix3<R> {
+pub(crate) fn product<R: Real>(a: &Matrix3<R>, b: &Matrix3<R>) -> Matrix3<R> {
     let rows = |m: &Matrix3<R>| {
         [
             Vector3::new(m.m11, m.m12, m.m13),
@@ -116,7 +116,7 @@ pub(super) fn product<R: Real>(a: &Matrix3<R>, b: &Matrix3<R>) -> Matrix3<R> {
     Matrix3::new(xx, xy, xz, yx, yy, yz, zx, zy, zz)
 }
 
-pub(super) fn unit_matrix<R: Real>() -> Matrix3<R> {
+pub(crate) fn unit_matrix<R: Real>() -> Matrix3<R> {
     let (one, zero) = (R::ONE, R::ZERO);
     Matrix3::new(one, zero, zero, zero, one, zero, zero, zero, one)
 }

@@ -16,20 +16,20 @@ const ROUGH_ULPS: f64 = 32.0;
 /// Most Newton steps; 12 were seen, 20 on strips of 1000:1.
 const MOST_STEPS: usize = 40;
 /// Halvings of a step.
-pub(super) const MOST_HALVINGS: usize = 30;
+pub(crate) const MOST_HALVINGS: usize = 30;
 /// Share of the linear decrease that a step must bring.
 const ENOUGH: f64 = 1e-4;
 
 /// Power, gradient and Hessian at a twist, in units of the force limit and the arm.
-pub(super) struct Power<R: Real> {
-    pub(super) value: R,
-    pub(super) gradient: Vector3<R>,
-    pub(super) hessian: Matrix3<R>,
+pub(crate) struct Power<R: Real> {
+    pub(crate) value: R,
+    pub(crate) gradient: Vector3<R>,
+    pub(crate) hessian: Matrix3<R>,
 }
 
 /// How a search ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Ended {
+pub(crate) enum Ended {
     /// The gradient is zero to rounding.
     Level,
     /// A full step of Newton's method no longer shortens the gradient, which is its own rounding, or what is left of
@@ -40,18 +40,18 @@ pub(super) enum Ended {
 }
 
 /// Where a function is least.
-pub(super) struct Minimiser<R: Real> {
-    pub(super) at: Vector3<R>,
-    pub(super) power: Power<R>,
+pub(crate) struct Minimiser<R: Real> {
+    pub(crate) at: Vector3<R>,
+    pub(crate) power: Power<R>,
     /// How many steps were tried.
-    pub(super) steps: usize,
-    pub(super) ended: Ended,
+    pub(crate) steps: usize,
+    pub(crate) ended: Ended,
     /// True on a facet, whose normal is the same everywhere.
-    pub(super) is_flat: bool,
+    pub(crate) is_flat: bool,
 }
 
 /// A convex function of the twist that is to be least.
-pub(super) trait TwistObjective<R: Real> {
+pub(crate) trait TwistObjective<R: Real> {
     /// Its value without the constant, and its gradient.
     fn value(&self, at: &Vector3<R>, power: R) -> R;
     /// The sum of the magnitudes of the value's terms: the value is known to rounding errors of it.
@@ -70,17 +70,17 @@ pub(super) trait TwistObjective<R: Real> {
 }
 
 /// φ
-pub(super) struct GaugeObjective<R: Real> {
-    pub(super) wrench: Vector3<R>,
+pub(crate) struct GaugeObjective<R: Real> {
+    pub(crate) wrench: Vector3<R>,
 }
 
 /// ψ, with wrench and twist in units of 1/`reach`: a wrench of any size is one of order 1.
-pub(super) struct ProjectionObjective<R: Real> {
-    pub(super) wrench: Vector3<R>,
+pub(crate) struct ProjectionObjective<R: Real> {
+    pub(crate) wrench: Vector3<R>,
     /// What the force limit counts, of the unit of the wrench.
-    pub(super) reach: R,
+    pub(crate) reach: R,
     /// Squared length of the distance, in arms.
-    pub(super) length_sq: R,
+    pub(crate) length_sq: R,
 }
 
 impl<R: Real> TwistObjective<R> for GaugeObjective<R> {
@@ -113,12 +113,12 @@ impl<R: Real> TwistObjective<R> for GaugeObjective<R> {
 
 impl<R: Real> ProjectionObjective<R> {
     /// M t
-    pub(super) fn displacement(&self, at: &Vector3<R>) -> Vector3<R> {
+    pub(crate) fn displacement(&self, at: &Vector3<R>) -> Vector3<R> {
         Vector3::new(at.x, at.y, self.length_sq * at.z)
     }
 
     /// M⁻¹ displacement
-    pub(super) fn twist_along(&self, displacement: &Vector3<R>) -> Vector3<R> {
+    pub(crate) fn twist_along(&self, displacement: &Vector3<R>) -> Vector3<R> {
         Vector3::new(
             displacement.x,
             displacement.y,
@@ -184,7 +184,7 @@ impl<R: Real> Trial<R> {
 }
 
 /// The twist at which `goal` is least, from `start` on, of a power whose `rounding` is given.
-pub(super) fn minimise<R: Real>(
+pub(crate) fn minimise<R: Real>(
     goal: &impl TwistObjective<R>,
     start: Vector3<R>,
     rounding: R,
@@ -240,7 +240,7 @@ pub(super) fn minimise<R: Real>(
 }
 
 /// Least pivot, of its diagonal.
-pub(super) fn pivot<R: Real>() -> R {
+pub(crate) fn pivot<R: Real>() -> R {
     R::from_f64(PIVOT_ULPS) * R::EPSILON
 }
 
@@ -249,7 +249,7 @@ pub(super) fn pivot<R: Real>() -> R {
 const MISSED: f64 = 64.0;
 
 /// The end of a search whose gradient has this size.
-pub(super) fn ended_at<R: Real>(size: R) -> Ended {
+pub(crate) fn ended_at<R: Real>(size: R) -> Ended {
     if size <= R::from_f64(MISSED) * rounding_gradient() {
         Ended::Rounding
     } else {
@@ -258,6 +258,6 @@ pub(super) fn ended_at<R: Real>(size: R) -> Ended {
 }
 
 /// A gradient below which a full step that does not shrink it shows rounding.
-pub(super) fn rounding_gradient<R: Real>() -> R {
+pub(crate) fn rounding_gradient<R: Real>() -> R {
     R::EPSILON.sqrt()
 }

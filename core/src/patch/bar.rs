@@ -1,6 +1,7 @@
 //! A straight line that carries load: a blade, a skate, the edge of a box.
 
 use super::edge::Edge;
+use super::linear_image::LinearMap;
 use super::outline_error::OutlineError;
 use crate::real::Real;
 use nalgebra::Vector2;
@@ -66,6 +67,18 @@ impl<R: Real> Bar<R> {
     /// Half of its length.
     pub fn radius(&self) -> R {
         self.radius
+    }
+
+    /// Its image under a linear map.
+    pub(super) fn moved(&self, map: &LinearMap<R>) -> Self {
+        let end = map.of(&self.edge.end());
+        let reach = end.x.hypot(end.y);
+        let end = Vector2::new(end.x / reach, end.y / reach);
+        Self {
+            edge: Edge::new(-end, end),
+            centre: map.of(&self.centre),
+            radius: self.radius * reach,
+        }
     }
 
     #[inline(always)]

@@ -3,6 +3,7 @@
 use super::PatchError;
 use crate::coupling::flat::PatchShape;
 use crate::real::Real;
+use core::marker::PhantomData;
 use nalgebra::Vector2;
 
 /// A patch in the coordinates of the body, and what it carries.
@@ -53,16 +54,20 @@ pub struct PatchPart<R, P> {
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CompoundPatch<'a, R: Real, P> {
-    feet: &'a [PatchPart<R, P>],
+pub struct CompoundPatch<R: Real, P, S> {
+    parts: S,
     total: R,
     centre: Vector2<R>,
     radius: R,
+    of: PhantomData<P>,
 }
 
-impl<'a, R: Real, P: PatchShape<R>> CompoundPatch<'a, R, P> {
+impl<R: Real, P: PatchShape<R>, S: AsRef<[PatchPart<R, P>]>> CompoundPatch<R, P, S> {
+    /// Feet in an array, in memory of the caller or in a list that the patch owns.
+    ///
     /// *Domain*: weights ≥ 0 of which at least one is positive, finite sum; finite distances.
-    pub fn new(feet: &'a [PatchPart<R, P>]) -> Result<Self, PatchError> {
+    pub fn new(parts: S) -> Result<Self, PatchError> {
+        let feet = parts.as_ref();
         let mut total = R::ZERO;
         for (index, foot) in feet.iter().enumerate() {
             total += foot.load;
@@ -91,10 +96,11 @@ impl<'a, R: Real, P: PatchShape<R>> CompoundPatch<'a, R, P> {
             return Err(PatchError::Radius { given });
         }
         Ok(Self {
-            feet,
+            parts,
             total,
             centre,
             radius,
+            of: PhantomData,
         })
     }
 
@@ -109,19 +115,36 @@ impl<'a, R: Real, P: PatchShape<R>> CompoundPatch<'a, R, P> {
     }
 
     /// The feet.
-    pub fn feet(&self) -> &'a [PatchPart<R, P>] {
-        self.feet
+    pub fn feet(&self) -> &[PatchPart<R, P>] {
+        self.parts.as_ref()
     }
 
-    /// Share of the load.
-    pub(crate) fn share(&self, foot: &PatchPart<R, P>) -> R {
-        foot.load / self.total
+    /// The feet about the common centre, in radii of all.
+    pub(crate) fn placed(&self) -> impl Iterator<Item = PlacedPatch<'_, R, P>> + Clone {
+        let (frame, total) = ((self.centre, self.radius), self.total);
+        self.feet()
+            .iter()
+            .map(move |foot| PlacedPatch::new(&foot.patch, frame, foot.load / total))
     }
+}
 
-    /// Centre and radius of a foot, in radii of all about the common centre.
-    pub(crate) fn placed(&self, foot: &PatchPart<R, P>) -> (Vector2<R>, R) {
-        let from = foot.patch.centre() - self.centre;
-        let at = Vector2::new(from.x / self.radius, from.y / self.radius);
-        (at, foot.patch.radius() / self.radius)
+/// One of several patches: its place and size in radii of all about the common centre, and its share of the load.
+pub(crate) struct PlacedPatch<'a, R: Real, P> {
+    pub(crate) patch: &'a P,
+    pub(crate) at: Vector2<R>,
+    pub(crate) scale: R,
+    pub(crate) share: R,
+}
+
+impl<'a, R: Real, P: PatchShape<R>> PlacedPatch<'a, R, P> {
+    /// A patch among others with this common centre and radius.
+    pub(crate) fn new(patch: &'a P, (centre, radius): (Vector2<R>, R), share: R) -> Self {
+        let from = patch.centre() - centre;
+        Self {
+            patch,
+            at: Vector2::new(from.x / radius, from.y / radius),
+            scale: patch.radius() / radius,
+            share,
+        }
     }
 }

@@ -45,6 +45,10 @@ pub trait PressureField<R: Real>: Copy + sealed::Sealed {
     /// Slope of the pressure, of the mean pressure over the radius.
     #[doc(hidden)]
     fn slope(&self) -> [R; 2];
+
+    /// That of another patch with this pressure at its centre and this slope, if there may be one.
+    #[doc(hidden)]
+    fn of_piece(at_centre: R, slope: [R; 2]) -> Self;
 }
 
 impl<R: Real> PressureField<R> for UniformPressure {
@@ -57,6 +61,10 @@ impl<R: Real> PressureField<R> for UniformPressure {
     fn slope(&self) -> [R; 2] {
         [R::ZERO; 2]
     }
+    #[inline(always)]
+    fn of_piece(_: R, _: [R; 2]) -> Self {
+        Self
+    }
 }
 
 impl<R: Real> PressureField<R> for LinearPressure<R> {
@@ -68,5 +76,9 @@ impl<R: Real> PressureField<R> for LinearPressure<R> {
     #[inline(always)]
     fn slope(&self) -> [R; 2] {
         self.slope
+    }
+    #[inline(always)]
+    fn of_piece(at_centre: R, slope: [R; 2]) -> Self {
+        Self::new(at_centre, slope)
     }
 }

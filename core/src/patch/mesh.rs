@@ -7,6 +7,7 @@
 pub use super::mesh_error::MeshError;
 pub use super::triangle::Triangle;
 
+use super::linear_image::LinearMap;
 use super::triangle::cross;
 use crate::real::Real;
 use nalgebra::Vector2;
@@ -156,6 +157,36 @@ impl<R: Real, S: AsRef<[Triangle<R>]> + AsMut<[Triangle<R>]>> Mesh<R, S> {
             radius,
             load: load * unit * unit * peak,
         })
+    }
+}
+
+impl<R: Real, S: AsRef<[Triangle<R>]> + AsMut<[Triangle<R>]>> Mesh<R, S> {
+    /// Its image under a linear map, which carries the same load.
+    pub(super) fn moved(mut self, map: &LinearMap<R>) -> Self {
+        let mut reach = R::ZERO;
+        for triangle in self.triangles() {
+            let (corner, [b, c]) = (triangle.corner(), triangle.sides());
+            for place in [corner, corner + b, corner + c] {
+                let at = map.of(&place);
+                let distance = at.x.hypot(at.y);
+                if distance > reach {
+                    reach = distance;
+                }
+            }
+        }
+        let (unit, count) = (R::ONE / reach, self.count);
+        let per_load = reach * reach / map.determinant();
+        for triangle in self.triangles.as_mut().iter_mut().take(count) {
+            let corner = map.of(&triangle.corner()) * unit;
+            let sides = triangle.sides().map(|side| map.of(&side) * unit);
+            let pressures = triangle.pressures().map(|pressure| pressure * per_load);
+            *triangle = Triangle::new(corner, sides, pressures);
+        }
+        Self {
+            centre: map.of(&self.centre),
+            radius: self.radius * reach,
+            ..self
+        }
     }
 }
 

@@ -3,12 +3,15 @@
 //! Round patches are measured in units of their radius: a pressure says how a unit load is spread
 //! over the unit disk, and [`crate::coupling::RoundFriction`] adds the radius.
 
+pub mod anisotropic;
 pub mod bar;
 mod edge;
 mod error;
 pub mod feet;
 mod flat_pressure;
 mod gauss_jacobi;
+#[doc(hidden)]
+pub mod linear_image;
 pub mod mesh;
 mod mesh_error;
 mod node_storage;
@@ -17,12 +20,14 @@ pub mod outline;
 mod outline_check;
 mod outline_error;
 mod outline_extent;
+pub mod piece;
 pub mod points;
 pub mod polar;
 pub mod polygon;
 mod polygon_parts;
 mod polynomial;
 mod power;
+pub mod round;
 mod triangle;
 pub(crate) mod tripod;
 

@@ -113,6 +113,16 @@ impl<R: Real, const N: usize> Nodes<R, N> {
     }
 }
 
+impl<R: Real, const N: usize> Nodes<R, N> {
+    /// The same weights elsewhere.
+    pub(super) fn moved(self, image: impl Fn(&Node<R>) -> Node<R>) -> Self {
+        Self {
+            nodes: self.nodes.map(|node| image(&node)),
+            ..self
+        }
+    }
+}
+
 impl<R: Real, const N: usize> NodePatch<R> for Nodes<R, N> {
     #[inline]
     fn nodes(&self) -> &[Node<R>] {

@@ -30,9 +30,9 @@ use nalgebra::Vector2;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointPatch<R: Real, P> {
-    nodes: P,
-    centre: Vector2<R>,
-    radius: R,
+    pub(super) nodes: P,
+    pub(super) centre: Vector2<R>,
+    pub(super) radius: R,
 }
 
 impl<R: Real, P: NodePatch<R>> PointPatch<R, P> {

@@ -172,7 +172,7 @@ pub const INSTANCES: &[Instance] = &[
         &["PatchShape"],
     ),
     instance(
-        "patch::feet::CompoundPatch<'static, R, patch::bar::Bar<R>>",
+        "patch::feet::CompoundPatch<R, patch::bar::Bar<R>, &'static [patch::feet::PatchPart<R, patch::bar::Bar<R>>]>",
         &["PatchShape"],
     ),
     // Limit surfaces.

@@ -6,11 +6,13 @@
 use super::motion::Motion;
 use super::points::rest;
 use super::{Hessian, PatchShape, PointLoad, Reduced};
-use crate::patch::feet::{CompoundPatch, PatchPart};
+use crate::patch::feet::{CompoundPatch, PatchPart, PlacedPatch};
 use crate::real::Real;
 use nalgebra::Vector2;
 
-impl<R: Real, P: PatchShape<R>> PatchShape<R> for CompoundPatch<'_, R, P> {
+impl<R: Real, P: PatchShape<R>, S: AsRef<[PatchPart<R, P>]>> PatchShape<R>
+    for CompoundPatch<R, P, S>
+{
     fn centre(&self) -> Vector2<R> {
         CompoundPatch::centre(self)
     }
@@ -20,88 +22,104 @@ impl<R: Real, P: PatchShape<R>> PatchShape<R> for CompoundPatch<'_, R, P> {
     }
 
     fn rounding(&self) -> R {
-        let mut most = R::EPSILON;
-        for foot in self.feet() {
-            let own = foot.patch.rounding();
-            if own > most {
-                most = own;
-            }
-        }
-        most
+        rounding(self.placed())
     }
 
     fn reduced(&self, motion: &Motion<R>) -> Reduced<R> {
-        let mut sum = Reduced {
-            force: Vector2::new(R::ZERO, R::ZERO),
-            torque: R::ZERO,
-        };
-        for foot in self.feet() {
-            if let Some(part) = PartMotion::of(self, foot, motion) {
-                part.add(&foot.patch.reduced(&part.motion), &mut sum);
-            }
-        }
-        sum
+        reduced(self.placed(), motion)
     }
 
     fn reduced_with_hessian(&self, motion: &Motion<R>) -> (Reduced<R>, Hessian<R>) {
-        let zero = R::ZERO;
-        let mut sum = Reduced {
-            force: Vector2::new(zero, zero),
-            torque: zero,
-        };
-        let mut hessian = Hessian {
-            xx: zero,
-            xy: zero,
-            yy: zero,
-            xn: zero,
-            yn: zero,
-            nn: zero,
-        };
-        for foot in self.feet() {
-            if let Some(part) = PartMotion::of(self, foot, motion) {
-                let (reduced, own) = foot.patch.reduced_with_hessian(&part.motion);
-                part.add(&reduced, &mut sum);
-                part.add_hessian(&own, &mut hessian);
-            }
-        }
-        (sum, hessian)
+        reduced_with_hessian(self.placed(), motion)
     }
 
     fn nearest_point(&self, place: &Vector2<R>) -> Option<PointLoad<R>> {
-        // The nearest point of each foot, in the units of all.
-        let near = |place: &Vector2<R>| {
-            let place = *place;
-            self.feet().iter().filter_map(move |foot| {
-                let (at, scale) = self.placed(foot);
-                let own = (place - at) * (R::ONE / scale);
-                let point = foot.patch.nearest_point(&own)?;
-                Some(PointLoad {
-                    place: at + point.place * scale,
-                    share: point.share * self.share(foot),
-                })
-            })
-        };
-        let distance = |point: &PointLoad<R>, place: &Vector2<R>| {
-            (point.place.x - place.x).hypot(point.place.y - place.y)
-        };
-        let mut nearest: Option<(PointLoad<R>, R)> = None;
-        for point in near(place) {
-            let far = distance(&point, place);
-            if nearest.is_none_or(|(_, least)| far < least) {
-                nearest = Some((point, far));
-            }
-        }
-        let (point, _) = nearest?;
-        // Points of other feet at the same place carry with it.
-        let mut share = R::ZERO;
-        for other in near(&point.place) {
-            if distance(&other, &point.place) <= rest() {
-                share += other.share;
-            }
-        }
-        let place = point.place;
-        Some(PointLoad { place, share })
+        nearest_point(self.placed(), place)
     }
+}
+
+/// Rounding of the power of several patches.
+pub(crate) fn rounding<'a, R: Real, P: PatchShape<R> + 'a>(
+    feet: impl Iterator<Item = PlacedPatch<'a, R, P>>,
+) -> R {
+    let mut most = R::EPSILON;
+    for foot in feet {
+        let own = foot.patch.rounding();
+        if own > most {
+            most = own;
+        }
+    }
+    most
+}
+
+/// Friction of several patches that move as one.
+pub(crate) fn reduced<'a, R: Real, P: PatchShape<R> + 'a>(
+    feet: impl Iterator<Item = PlacedPatch<'a, R, P>>,
+    motion: &Motion<R>,
+) -> Reduced<R> {
+    let mut sum = Reduced::none();
+    for foot in feet {
+        if let Some(part) = PartMotion::of(&foot, motion) {
+            part.add(&foot.patch.reduced(&part.motion), &mut sum);
+        }
+    }
+    sum
+}
+
+/// The same with the power's second derivatives.
+pub(crate) fn reduced_with_hessian<'a, R: Real, P: PatchShape<R> + 'a>(
+    feet: impl Iterator<Item = PlacedPatch<'a, R, P>>,
+    motion: &Motion<R>,
+) -> (Reduced<R>, Hessian<R>) {
+    let (mut sum, mut hessian) = (Reduced::none(), Hessian::none());
+    for foot in feet {
+        if let Some(part) = PartMotion::of(&foot, motion) {
+            let (reduced, own) = foot.patch.reduced_with_hessian(&part.motion);
+            part.add(&reduced, &mut sum);
+            part.add_hessian(&own, &mut hessian);
+        }
+    }
+    (sum, hessian)
+}
+
+/// The point of several patches nearest to a place.
+pub(crate) fn nearest_point<'a, R: Real, P: PatchShape<R> + 'a>(
+    feet: impl Iterator<Item = PlacedPatch<'a, R, P>> + Clone,
+    place: &Vector2<R>,
+) -> Option<PointLoad<R>> {
+    // The nearest point of each foot, in the units of all.
+    let near = |place: &Vector2<R>| {
+        let place = *place;
+        feet.clone().filter_map(move |foot| {
+            let PlacedPatch { at, scale, .. } = foot;
+            let own = (place - at) * (R::ONE / scale);
+            let point = foot.patch.nearest_point(&own)?;
+            Some(PointLoad {
+                place: at + point.place * scale,
+                share: point.share * foot.share,
+            })
+        })
+    };
+    let distance = |point: &PointLoad<R>, place: &Vector2<R>| {
+        (point.place.x - place.x).hypot(point.place.y - place.y)
+    };
+    let mut nearest: Option<(PointLoad<R>, R)> = None;
+    for point in near(place) {
+        let far = distance(&point, place);
+        if nearest.is_none_or(|(_, least)| far < least) {
+            nearest = Some((point, far));
+        }
+    }
+    let (point, _) = nearest?;
+    // Points of other feet at the same place carry with it.
+    let mut share = R::ZERO;
+    for other in near(&point.place) {
+        if distance(&other, &point.place) <= rest() {
+            share += other.share;
+        }
+    }
+    let place = point.place;
+    Some(PointLoad { place, share })
 }
 
 /// One foot: its motion, place, size and share, with lengths in radii of the whole.
@@ -114,16 +132,13 @@ struct PartMotion<R: Real> {
 
 impl<R: Real> PartMotion<R> {
     /// `None` for a foot that carries nothing or, alone, does not move.
-    fn of<P: PatchShape<R>>(
-        feet: &CompoundPatch<'_, R, P>,
-        foot: &PatchPart<R, P>,
-        motion: &Motion<R>,
-    ) -> Option<Self> {
-        let share = feet.share(foot);
+    fn of<P>(foot: &PlacedPatch<'_, R, P>, motion: &Motion<R>) -> Option<Self> {
+        let PlacedPatch {
+            at, scale, share, ..
+        } = *foot;
         if share == R::ZERO {
             return None;
         }
-        let (at, scale) = feet.placed(foot);
         let (velocity, turn) = (&motion.velocity, motion.rim);
         let motion = Motion {
             velocity: Vector2::new(velocity.x - turn * at.y, velocity.y + turn * at.x),

@@ -12,9 +12,10 @@
 //!
 //! [`ShapePowerFriction`] is the same for friction γ|q|^α, α > −1.
 
+mod anisotropic;
 mod bar;
 mod cone;
-mod feet;
+pub(crate) mod feet;
 mod linear;
 mod mesh;
 mod motion;
@@ -24,6 +25,7 @@ mod points;
 mod pole_far;
 mod pole_near;
 mod power;
+mod round;
 mod steep_layer;
 mod sums;
 mod uniform;
@@ -166,6 +168,14 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> PatchShape<R> for Polygo
 }
 
 impl<R: Real> Reduced<R> {
+    /// That of a patch at rest.
+    pub(super) fn none() -> Self {
+        Self {
+            force: Vector2::new(R::ZERO, R::ZERO),
+            torque: R::ZERO,
+        }
+    }
+
     #[inline(always)]
     fn scaled(&self, factor: R) -> Self {
         Self {
@@ -176,6 +186,18 @@ impl<R: Real> Reduced<R> {
 }
 
 impl<R: Real> Hessian<R> {
+    /// That of a patch at rest.
+    pub(super) fn none() -> Self {
+        Self {
+            xx: R::ZERO,
+            xy: R::ZERO,
+            yy: R::ZERO,
+            xn: R::ZERO,
+            yn: R::ZERO,
+            nn: R::ZERO,
+        }
+    }
+
     /// That of a spin of 1 about `centre`, given the part in the velocities.
     #[inline(always)]
     fn about(centre: &Vector2<R>, [xx, xy, yy]: [R; 3]) -> Self {
