@@ -6,10 +6,9 @@ use super::wrench::{centre, patches};
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::fmt::Write;
-use tribos::friction::{Patch, StictionTest};
+use tribos::friction::{Area, Coefficients, Patch, StictionTest};
 use tribos::record::json_number;
 use tribos_core::holding::{Stiction, StictionBounds};
-use tribos_core::law::DryFriction;
 use tribos_core::presliding::Presliding;
 use tribos_core::twist::{Displacement, Twist, Wrench};
 
@@ -29,12 +28,13 @@ pub struct Arguments {
     /// Centre of pressure of a box or a polygon, under a pressure that is linear [m].
     #[arg(long, value_name = "X,Y", value_parser = centre, allow_hyphen_values = true)]
     centre: Option<[f64; 2]>,
-    /// Static coefficient of friction.
-    #[arg(long, value_parser = number::not_negative, allow_negative_numbers = true)]
-    mu_s: f64,
+    /// Static coefficient of friction; also one along x and one along y, such as 0.5,0.9, or along an axis and across it,
+    /// such as 0.5,0.9,30deg.
+    #[arg(long, value_name = "MU[,MU_Y[,AXIS]]", value_parser = number::coefficients, allow_hyphen_values = true)]
+    mu_s: Coefficients,
     /// Kinetic coefficient of friction, at most the static one [default: the static one].
-    #[arg(long, value_parser = number::not_negative, allow_negative_numbers = true)]
-    mu_d: Option<f64>,
+    #[arg(long, value_name = "MU[,MU_Y[,AXIS]]", value_parser = number::coefficients, allow_hyphen_values = true)]
+    mu_d: Option<Coefficients>,
     /// Load [N].
     #[arg(long, value_parser = number::not_negative, allow_negative_numbers = true)]
     load: f64,
@@ -77,7 +77,7 @@ Examples:
     tribos hold --patch box:0.3x0.2 --mu-s 0.5 --mu-d 0.4 --load 20 --force 0,6 --torque 0.5 --format json";
 
 /// The two parts of a force.
-fn force(text: &str) -> Result<[f64; 2], String> {
+pub fn force(text: &str) -> Result<[f64; 2], String> {
     let parts = text.split_once(',');
     let (x, y) = parts.ok_or("give its two parts in N, such as 3,0")?;
     Ok([number::finite(x)?, number::finite(y)?])
@@ -109,14 +109,9 @@ impl Arguments {
             ));
         }
         let mu_d = self.mu_d.unwrap_or(self.mu_s);
-        let dry = DryFriction::new(self.mu_s, mu_d).map_err(|_| {
-            let (given, most) = (mu_d, self.mu_s);
-            Failure::input(format!(
-                "--mu-d {given} is above --mu-s {most}: give 0 <= mu-d <= mu-s"
-            ))
-        })?;
         let radius = self.radius.unwrap_or(1.0);
-        let contact = StictionTest::new(&self.patch, dry, self.load, radius, self.centre)?;
+        let area = Area::named(&self.patch, radius, self.centre)?;
+        let contact = StictionTest::new(&area, [self.mu_s, mu_d], self.load)?;
         let [x, y] = self.force;
         let push = Wrench::new(x, y, self.torque);
         let holding = contact.holding(&push);

@@ -5,6 +5,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::num::NonZeroU32;
 use std::ops::RangeInclusive;
 use std::time::Duration;
+use tribos::friction::{Coefficients, FrictionError};
 use tribos_core::Real;
 
 /// A finite number.
@@ -21,6 +22,12 @@ pub fn not_negative(text: &str) -> Result<f64, String> {
             Err("give a number >= 0".into())
         }
     })
+}
+
+/// A coefficient of friction, or two.
+pub fn coefficients(text: &str) -> Result<Coefficients, String> {
+    text.parse()
+        .map_err(|error: FrictionError| error.to_string())
 }
 
 /// A number of seconds ≥ 0.

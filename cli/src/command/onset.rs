@@ -5,7 +5,7 @@ use super::{digits, file, number, spool};
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
-use tribos::friction::{FlatPatch, Patch};
+use tribos::friction::Patch;
 use tribos::onset::{Bond, OnsetContact, OnsetPoint, OnsetSummary, OnsetSurface};
 use tribos::record::{json_number, series_csv};
 use tribos_report::figure::{Axis, Figure, Series};
@@ -135,14 +135,8 @@ impl Arguments {
 
     /// Refuses outputs that are inputs, and a size where the patch has its own.
     fn check(&self) -> Result<(), Failure> {
-        let input = match &self.patch {
-            Patch::Points(file) | Patch::Flat(FlatPatch::Polygon(file) | FlatPatch::Mesh(file)) => {
-                Some(file)
-            }
-            _ => None,
-        };
         for (name, output) in [("--output", &self.output), ("--picture", &self.picture)] {
-            for (output, input) in output.iter().zip(input) {
+            for (output, input) in output.iter().zip(self.patch.file()) {
                 file::refuse_input(name, output, input)?;
             }
         }

@@ -6,7 +6,7 @@ use super::{digits, file, number, spool};
 use crate::failure::Failure;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
-use tribos::friction::{Area, FlatPatch, Patch};
+use tribos::friction::{Area, Coefficients, Patch};
 use tribos::record::Rows;
 use tribos::record::{number as shortest, series_csv, write_atomically};
 use tribos_core::Real;
@@ -33,9 +33,11 @@ pub struct Arguments {
     /// Centre of pressure of a box or a polygon, under a pressure that is linear [m].
     #[arg(long, value_name = "X,Y", value_parser = centre, allow_hyphen_values = true)]
     centre: Option<[f64; 2]>,
-    /// Friction coefficient.
-    #[arg(long, default_value = "1", value_parser = number::positive, allow_negative_numbers = true)]
-    coefficient: f64,
+    /// Friction coefficient; also one along x and one along y, such as 0.5,0.9, or along an axis and across it, such as
+    /// 0.5,0.9,30deg.
+    #[arg(long, default_value = "1", value_name = "MU[,MU_Y[,AXIS]]", value_parser = number::coefficients,
+          allow_hyphen_values = true)]
+    coefficient: Coefficients,
     /// Load [N].
     #[arg(long, default_value = "1", value_parser = number::positive, allow_negative_numbers = true)]
     load: f64,
@@ -97,19 +99,18 @@ const GRID: [usize; 2] = [65, 120];
 impl Arguments {
     /// Tabulates, draws and prints.
     pub fn execute(self) -> Result<(), Failure> {
-        let corners = match &self.patch {
-            Patch::Points(file) | Patch::Flat(FlatPatch::Polygon(file) | FlatPatch::Mesh(file)) => {
-                Some(file)
-            }
-            _ => None,
-        };
         let outputs = [
             ("--output", &self.output),
             ("--picture", &self.picture),
             ("--page", &self.page),
         ];
         for (name, output) in outputs {
-            for (output, input) in output.iter().zip(self.pushes.iter().chain(corners)) {
+            for (output, input) in output.iter().zip(
+                self.pushes
+                    .iter()
+                    .map(PathBuf::as_path)
+                    .chain(self.patch.file()),
+            ) {
                 file::refuse_input(name, output, input)?;
             }
         }
@@ -129,8 +130,14 @@ impl Arguments {
                 "a page and a table both read the pushes: give them as a file",
             ));
         }
-        let limit = self.coefficient * self.load;
-        let set = Area::named(&self.patch, self.radius, self.centre)?.limit_surface(limit)?;
+        let limit = self.coefficient.largest() * self.load;
+        if limit <= 0.0 {
+            return Err(Failure::input(
+                "--coefficient 0 carries nothing: give one above 0",
+            ));
+        }
+        let area = Area::named(&self.patch, self.radius, self.centre)?;
+        let set = self.coefficient.on(area)?.limit_surface(limit)?;
         if let Some(path) = &self.picture {
             draw(path, &self.patch, &*set)?;
             super::note(format_args!("written to    {}", path.display()));

@@ -12,7 +12,9 @@
 //! (μ₁ v₁, μ₂ v₂, ω). The force follows as (μ₁ F₁, μ₂ F₂), the torque as it is: exact for every patch.
 
 use super::PatchError;
-use super::linear_image::{LinearImage, LinearMap};
+use super::affine_image::{AffineImage, AffineMap};
+use super::piece::{HalfPlane, Piece};
+use crate::coupling::flat::PatchShape;
 use crate::law::{LawError, validated_positive};
 use crate::real::Real;
 use nalgebra::Vector2;
@@ -102,21 +104,22 @@ pub struct AnisotropicPatch<R: Real, P> {
     pub(crate) inner: R,
 }
 
-impl<R: Real, P: LinearImage<R>> AnisotropicPatch<R, P> {
+impl<R: Real, P: AffineImage<R>> AnisotropicPatch<R, P> {
     /// `patch` under friction of these coefficients.
     ///
     /// *Domain*: stretched by the coefficients over the larger one the patch has an extent that is a normal number.
     pub fn new(patch: P, friction: AxisCoefficients<R>) -> Result<Self, PatchError> {
         let (axis, shares) = (friction.axis, friction.shares());
         let [along, across] = shares;
-        let map = LinearMap {
+        let map = AffineMap {
             rows: [
                 Vector2::new(axis.x, axis.y) * across,
                 Vector2::new(-axis.y, axis.x) * along,
             ],
+            shift: Vector2::new(R::ZERO, R::ZERO),
         };
         let (centre, radius) = (patch.centre(), patch.radius());
-        let stretched = patch.image(&map);
+        let stretched = patch.image(&map).ok_or(PatchError::NoImage)?;
         let inner = stretched.radius() / radius;
         if !(stretched.radius() >= R::MIN_POSITIVE / R::EPSILON && inner.is_finite()) {
             let given = stretched.radius().to_f64();
@@ -130,5 +133,62 @@ impl<R: Real, P: LinearImage<R>> AnisotropicPatch<R, P> {
             radius,
             inner,
         })
+    }
+}
+
+impl<R: Real, P: AffineImage<R>> AnisotropicPatch<R, P> {
+    /// The patch and its axes, turned and moved.
+    #[doc(hidden)]
+    pub fn placed(self, map: &AffineMap<R>) -> Option<Self> {
+        let axis = map.of_vector(&self.axis);
+        let ([along, across], shift) = (self.shares, map.shift);
+        let moved = AffineMap {
+            rows: [Vector2::new(R::ONE, R::ZERO), Vector2::new(R::ZERO, R::ONE)],
+            shift: Vector2::new(
+                across * (axis.x * shift.x + axis.y * shift.y),
+                along * (axis.x * shift.y - axis.y * shift.x),
+            ),
+        };
+        Some(Self {
+            stretched: self.stretched.image(&moved)?,
+            axis,
+            centre: map.of(&self.centre),
+            ..self
+        })
+    }
+}
+
+impl<R: Real, P: PatchShape<R>> AnisotropicPatch<R, P> {
+    /// What `cut` leaves of the stretched patch within the image of a half-plane, with its share of the load.
+    #[doc(hidden)]
+    pub fn within<E>(
+        &self,
+        side: &HalfPlane<R>,
+        cut: impl FnOnce(&P, &HalfPlane<R>) -> Result<Option<Piece<R, P>>, E>,
+    ) -> Result<Option<Piece<R, Self>>, E> {
+        let ([along, across], axis) = (self.shares, self.axis);
+        let parts = |at: Vector2<R>| {
+            Vector2::new(
+                across * (axis.x * at.x + axis.y * at.y),
+                along * (axis.x * at.y - axis.y * at.x),
+            )
+        };
+        let Some(Piece { patch, share }) = cut(&self.stretched, &side.mapped(parts))? else {
+            return Ok(None);
+        };
+        let there = patch.centre();
+        let (x, y) = (there.x / across, there.y / along);
+        let piece = Self {
+            centre: Vector2::new(x * axis.x - y * axis.y, x * axis.y + y * axis.x),
+            // Any length will do as the unit of torques.
+            radius: self.radius,
+            inner: patch.radius() / self.radius,
+            stretched: patch,
+            ..*self
+        };
+        Ok(Some(Piece {
+            patch: piece,
+            share,
+        }))
     }
 }

@@ -1,7 +1,7 @@
 //! A straight line that carries load: a blade, a skate, the edge of a box.
 
+use super::affine_image::AffineMap;
 use super::edge::Edge;
-use super::linear_image::LinearMap;
 use super::outline_error::OutlineError;
 use crate::real::Real;
 use nalgebra::Vector2;
@@ -59,6 +59,14 @@ impl<R: Real> Bar<R> {
         })
     }
 
+    /// Both ends.
+    pub fn ends(&self) -> [[R; 2]; 2] {
+        [self.edge.start(), self.edge.end()].map(|end| {
+            let at = self.centre + end * self.radius;
+            [at.x, at.y]
+        })
+    }
+
     /// Its middle.
     pub fn centre(&self) -> Vector2<R> {
         self.centre
@@ -70,8 +78,8 @@ impl<R: Real> Bar<R> {
     }
 
     /// Its image under a linear map.
-    pub(super) fn moved(&self, map: &LinearMap<R>) -> Self {
-        let end = map.of(&self.edge.end());
+    pub(super) fn moved(&self, map: &AffineMap<R>) -> Self {
+        let end = map.of_vector(&self.edge.end());
         let reach = end.x.hypot(end.y);
         let end = Vector2::new(end.x / reach, end.y / reach);
         Self {

@@ -109,6 +109,8 @@ pub enum PatchError {
         /// What was given.
         given: f64,
     },
+    /// The patch has no image of its kind under an affine map: friction on it cannot differ along two axes.
+    NoImage,
     /// A polygon has fewer than 3 corners.
     Corners {
         /// How many were given.
@@ -192,6 +194,10 @@ impl core::fmt::Display for PatchError {
                 "node {index} must carry a finite weight, not negative, not {given}"
             ),
             Self::Unloaded => f.write_str("at least one node must carry load"),
+            Self::NoImage => f.write_str(
+                "friction that differs along two axes is not served on this patch: its stretched image is no patch \
+                 of its kind",
+            ),
             Self::OnePlace => {
                 f.write_str("at least two places a finite distance apart must carry load")
             }

@@ -7,7 +7,7 @@
 pub use super::mesh_error::MeshError;
 pub use super::triangle::Triangle;
 
-use super::linear_image::LinearMap;
+use super::affine_image::AffineMap;
 use super::triangle::cross;
 use crate::real::Real;
 use nalgebra::Vector2;
@@ -162,12 +162,12 @@ impl<R: Real, S: AsRef<[Triangle<R>]> + AsMut<[Triangle<R>]>> Mesh<R, S> {
 
 impl<R: Real, S: AsRef<[Triangle<R>]> + AsMut<[Triangle<R>]>> Mesh<R, S> {
     /// Its image under a linear map, which carries the same load.
-    pub(super) fn moved(mut self, map: &LinearMap<R>) -> Self {
+    pub(super) fn moved(mut self, map: &AffineMap<R>) -> Self {
         let mut reach = R::ZERO;
         for triangle in self.triangles() {
             let (corner, [b, c]) = (triangle.corner(), triangle.sides());
             for place in [corner, corner + b, corner + c] {
-                let at = map.of(&place);
+                let at = map.of_vector(&place);
                 let distance = at.x.hypot(at.y);
                 if distance > reach {
                     reach = distance;
@@ -177,8 +177,8 @@ impl<R: Real, S: AsRef<[Triangle<R>]> + AsMut<[Triangle<R>]>> Mesh<R, S> {
         let (unit, count) = (R::ONE / reach, self.count);
         let per_load = reach * reach / map.determinant();
         for triangle in self.triangles.as_mut().iter_mut().take(count) {
-            let corner = map.of(&triangle.corner()) * unit;
-            let sides = triangle.sides().map(|side| map.of(&side) * unit);
+            let corner = map.of_vector(&triangle.corner()) * unit;
+            let sides = triangle.sides().map(|side| map.of_vector(&side) * unit);
             let pressures = triangle.pressures().map(|pressure| pressure * per_load);
             *triangle = Triangle::new(corner, sides, pressures);
         }
@@ -196,6 +196,23 @@ impl<R: Real, S: AsRef<[Triangle<R>]>> Mesh<R, S> {
     pub(crate) fn triangles(&self) -> &[Triangle<R>] {
         let triangles = self.triangles.as_ref();
         triangles.get(..self.count).unwrap_or(triangles)
+    }
+
+    /// The corners of the triangles that carry load, with pressures such that all carry 1 per radius².
+    #[doc(hidden)]
+    pub fn corners(&self) -> impl Iterator<Item = [Vertex<R>; 3]> + '_ {
+        self.triangles().iter().map(|triangle| {
+            let (corner, [b, c], [p, q, r]) =
+                (triangle.corner(), triangle.sides(), triangle.pressures());
+            [(corner, p), (corner + b, q), (corner + c, r)].map(|(at, pressure)| {
+                let place = self.centre + at * self.radius;
+                Vertex {
+                    x: place.x,
+                    y: place.y,
+                    pressure,
+                }
+            })
+        })
     }
 
     /// The centre of pressure, in the vertices' coordinates.

@@ -3,6 +3,8 @@
 //! Round patches are measured in units of their radius: a pressure says how a unit load is spread
 //! over the unit disk, and [`crate::coupling::RoundFriction`] adds the radius.
 
+#[doc(hidden)]
+pub mod affine_image;
 pub mod anisotropic;
 pub mod bar;
 mod edge;
@@ -10,8 +12,6 @@ mod error;
 pub mod feet;
 mod flat_pressure;
 mod gauss_jacobi;
-#[doc(hidden)]
-pub mod linear_image;
 pub mod mesh;
 mod mesh_error;
 mod node_storage;

@@ -253,6 +253,12 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> Polygon<R, S, K> {
         edges.get(..self.count).unwrap_or(edges)
     }
 
+    /// How many edges it has.
+    #[doc(hidden)]
+    pub fn edge_count(&self) -> usize {
+        self.edges().len()
+    }
+
     /// How the pressure is spread.
     #[inline(always)]
     pub(crate) fn pressure(&self) -> &K {

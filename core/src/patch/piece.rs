@@ -61,11 +61,27 @@ impl<R: Real> HalfPlane<R> {
         }
     }
 
+    /// Its image under a linear map that keeps the sense of rotation.
+    pub(super) fn mapped(&self, map: impl Fn(Vector2<R>) -> Vector2<R>) -> Self {
+        let along = map(self.along);
+        let length = along.x.hypot(along.y);
+        Self {
+            point: map(self.point),
+            along: Vector2::new(along.x / length, along.y / length),
+        }
+    }
+
     /// Distance of a place from the border, positive to the left of it.
     #[inline(always)]
     fn distance(&self, place: &Vector2<R>) -> R {
         let from = place - self.point;
         self.along.x * from.y - self.along.y * from.x
+    }
+
+    /// Distance of a place from the border, positive to the left of it.
+    #[doc(hidden)]
+    pub fn distance_of(&self, [x, y]: [R; 2]) -> R {
+        self.distance(&Vector2::new(x, y))
     }
 
     /// Whether a place lies to the left of the border.

@@ -5,10 +5,12 @@ use super::{Flat, FrictionError, OwnedNodes, Patch, Precision, polynomial, surfa
 use tribos_core::coupling::flat::PatchShape;
 use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
 use tribos_core::patch::PatchError;
+use tribos_core::patch::anisotropic::{AnisotropicPatch, AxisCoefficients};
 use tribos_core::patch::bar::Bar;
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
 use tribos_core::patch::nodes::Node;
 use tribos_core::patch::points::PointPatch;
+use tribos_core::patch::round::RoundPatch;
 
 /// A contact area: any patch, with its size. Lengths are in m.
 ///
@@ -100,6 +102,23 @@ impl<R: Precision> Area<R> {
         let points = OwnedNodes::new(nodes).and_then(PointPatch::new);
         let points = points.map_err(tribos_core::Error::from)?;
         Ok(Self::Flat(Flat::Points(points)))
+    }
+
+    /// The area under friction that differs along two axes, with the larger coefficient as that of its friction.
+    pub fn with_axes(self, friction: AxisCoefficients<R>) -> Result<Self, FrictionError> {
+        let made = AnisotropicPatch::new(self.into_flat()?, friction)?;
+        Ok(Self::Flat(Flat::Anisotropic(Box::new(made))))
+    }
+
+    /// The area as one of any shape.
+    pub(super) fn into_flat(self) -> Result<Flat<R>, FrictionError> {
+        match self {
+            Self::Flat(flat) => Ok(flat),
+            Self::Round(patch, radius) => {
+                let made = RoundPatch::new(DryRound::new(&patch)?, [R::ZERO; 2], radius)?;
+                Ok(Flat::Round(Box::new(made)))
+            }
+        }
     }
 
     /// Whether the friction is the same in all directions.

@@ -1,16 +1,22 @@
 //! Patches with straight edges and meshes by name, and their corners from files.
 
+use super::coefficients::quarters;
 use super::refusal::finite_number;
-use super::text::files;
-use super::{FrictionError, OwnedNodes};
+use super::surface::DryRound;
+use super::text::{feet, files};
+use super::{FrictionError, OwnedNodes, Precision};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use tribos_core::coupling::flat::{Hessian, Motion, PatchShape, PointLoad, Reduced};
+use tribos_core::patch::anisotropic::AnisotropicPatch;
 use tribos_core::patch::bar::Bar;
+use tribos_core::patch::feet::{CompoundPatch, PatchPart};
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
+use tribos_core::patch::nodes::Node;
 use tribos_core::patch::outline::{Edge, LinearPressure, OutlineError, Polygon};
 use tribos_core::patch::points::PointPatch;
+use tribos_core::patch::round::RoundPatch;
 use tribos_core::real::Real;
 
 /// A patch with straight edges or a mesh, as it is written. Lengths are in m.
@@ -34,11 +40,15 @@ pub enum FlatPatch {
     Bar(f64),
     /// Triangles with a pressure at each corner, in a file.
     Mesh(PathBuf),
+    /// So many bolts that share the load evenly, on a circle of this radius about the origin, the first one on the x axis.
+    Bolts(u32, f64),
+    /// Feet of a body, in a file.
+    Feet(PathBuf),
 }
 
 /// A patch with straight edges, a mesh or points, ready for the kernel.
 #[derive(Clone, Debug)]
-pub enum Flat<R: Real> {
+pub enum Flat<R: Precision> {
     /// Under uniform pressure.
     Polygon(Polygon<R, Vec<Edge<R>>>),
     /// Under linear pressure.
@@ -49,8 +59,16 @@ pub enum Flat<R: Real> {
     Mesh(Mesh<R, Vec<Triangle<R>>>),
     /// Points with weights.
     Points(PointPatch<R, OwnedNodes<R>>),
+    /// Round, in a place of its own.
+    Round(Box<RoundPatch<R, DryRound<R>>>),
+    /// Any of these under friction that differs along two axes.
+    Anisotropic(Box<AnisotropicPatch<R, Self>>),
+    /// Several of these under one body.
+    Feet(CompoundPatch<R, Self, Vec<PatchPart<R, Self>>>),
 }
 
+/// Most bolts of a ring.
+const MOST_BOLTS: u32 = 10_000;
 /// Most triangles of a file.
 const MOST_TRIANGLES: usize = 1_000_000;
 /// Columns of a file of triangles: place and pressure of each corner.
@@ -73,6 +91,15 @@ impl FlatPatch {
             "a CSV file of triangles with columns x1,y1,p1,x2,y2,p2,x3,y3,p3: corners in m, and \
              pressures of which only the ratios count",
         ),
+        (
+            "bolts:NxR",
+            "N bolts on a circle of radius R, in m, that share the load evenly",
+        ),
+        (
+            "feet:FILE",
+            "a CSV file of feet with columns patch,x,y[,radius][,angle_deg][,load][,mu][,mu_across]: all carry load times \
+             coefficient together, in proportion to the products of theirs",
+        ),
     ];
 
     /// True if `text` begins with the name of such a patch.
@@ -84,7 +111,7 @@ impl FlatPatch {
         all.any(|known| known == name)
     }
 
-    /// The corners of all loops, the outer one first; of a bar both ends, of a mesh its triangles.
+    /// The corners of all loops, the outer one first; of a bar both ends, of a mesh its triangles, of bolts and feet none.
     #[doc(hidden)]
     pub fn loops(&self) -> Result<Vec<Vec<[f64; 2]>>, FrictionError> {
         Ok(match self {
@@ -99,11 +126,12 @@ impl FlatPatch {
                 vec![vec![[-x, -y], [x, -y], [x, y], [-x, y]]]
             }
             Self::Polygon(path) => files::loops(path)?,
+            Self::Bolts(..) | Self::Feet(_) => Vec::new(),
         })
     }
 
     /// The patch for the kernel, its file read; with a centre of pressure under linear pressure.
-    pub fn loaded<R: Real>(&self, centre: Option<[f64; 2]>) -> Result<Flat<R>, FrictionError> {
+    pub fn loaded<R: Precision>(&self, centre: Option<[f64; 2]>) -> Result<Flat<R>, FrictionError> {
         let narrow = |[x, y]: [f64; 2]| [x, y].map(R::from_f64);
         let own = |reason: &str| {
             let refused =
@@ -120,6 +148,15 @@ impl FlatPatch {
                 let half = 0.5 * length;
                 let bar = Bar::new(narrow([-half, 0.0]), narrow([half, 0.0]));
                 return Ok(Flat::Bar(bar.map_err(tribos_core::Error::from)?));
+            }
+            Self::Bolts(count, radius) => {
+                own("bolts share the load evenly")?;
+                let bolts = OwnedNodes::new(bolts(*count, *radius)).and_then(PointPatch::new);
+                return Ok(Flat::Points(bolts.map_err(tribos_core::Error::from)?));
+            }
+            Self::Feet(path) => {
+                own("feet have loads of their own")?;
+                return feet(path);
             }
             Self::Box(_) | Self::Polygon(_) => {}
         }
@@ -145,6 +182,19 @@ impl FlatPatch {
     }
 }
 
+/// Bolts of the same load on a circle.
+fn bolts<R: Real>(count: u32, radius: f64) -> Vec<Node<R>> {
+    let bolt = |index: u32| {
+        let [cos, sin] = quarters(360.0 * f64::from(index) / f64::from(count));
+        Node {
+            x: R::from_f64(radius * cos),
+            y: R::from_f64(radius * sin),
+            weight: R::ONE,
+        }
+    };
+    (0..count).map(bolt).collect()
+}
+
 /// Place and pressure of the three corners of each triangle of a file.
 #[doc(hidden)]
 pub fn triangles_of(path: &Path) -> Result<Vec<[f64; 9]>, FrictionError> {
@@ -167,7 +217,7 @@ fn mesh<R: Real>(path: &Path) -> Result<Mesh<R, Vec<Triangle<R>>>, FrictionError
         .map_err(|error| FrictionError::Syntax(format!("{}: {error}", path.display())))
 }
 
-impl<R: Real> Flat<R> {
+impl<R: Precision> Flat<R> {
     /// A polygon of these loops, under uniform pressure or with a centre of pressure under linear pressure.
     pub(super) fn polygon(
         loops: &[&[[R; 2]]],
@@ -189,9 +239,10 @@ impl<R: Real> Flat<R> {
             Self::Polygon(patch) => patch.radius_of_gyration(),
             Self::Leaning(patch) => patch.radius_of_gyration(),
             Self::Bar(bar) => bar.radius() / R::from_f64(3.0).sqrt(),
-            Self::Mesh(_) | Self::Points(_) => {
+            Self::Round(patch) => patch.radius() / R::TWO.sqrt(),
+            Self::Mesh(_) | Self::Points(_) | Self::Anisotropic(_) | Self::Feet(_) => {
                 return Err(FrictionError::Syntax(
-                    "a plate is a box, a polygon or a bar, not a mesh".into(),
+                    "a plate is a box, a polygon, a bar or a disk".into(),
                 ));
             }
         })
@@ -207,11 +258,14 @@ macro_rules! each {
             Flat::Bar($patch) => $answer,
             Flat::Mesh($patch) => $answer,
             Flat::Points($patch) => $answer,
+            Flat::Round($patch) => $answer,
+            Flat::Anisotropic($patch) => $answer,
+            Flat::Feet($patch) => $answer,
         }
     };
 }
 
-impl<R: Real> PatchShape<R> for Flat<R> {
+impl<R: Precision> PatchShape<R> for Flat<R> {
     fn centre(&self) -> nalgebra::Vector2<R> {
         each!(self, patch => patch.centre())
     }
@@ -240,6 +294,8 @@ impl fmt::Display for FlatPatch {
             Self::Polygon(path) => write!(f, "polygon:{}", path.display()),
             Self::Bar(length) => write!(f, "bar:{length}"),
             Self::Mesh(path) => write!(f, "mesh:{}", path.display()),
+            Self::Bolts(count, radius) => write!(f, "bolts:{count}x{radius}"),
+            Self::Feet(path) => write!(f, "feet:{}", path.display()),
         }
     }
 }
@@ -279,6 +335,20 @@ impl FromStr for FlatPatch {
                 "give a CSV file of triangles, such as mesh:pad.csv".into(),
             )),
             ("mesh", file) => Ok(Self::Mesh(file.into())),
+            ("bolts", text) => {
+                let parts = text.split_once('x');
+                let count = parts.and_then(|(count, _)| count.trim().parse().ok());
+                let (Some(count @ 2..=MOST_BOLTS), Some((_, radius))) = (count, parts) else {
+                    return Err(FrictionError::Syntax(format!(
+                        "give a number of bolts from 2 to {MOST_BOLTS} and the radius of their circle in m, such as bolts:6x0.05"
+                    )));
+                };
+                Ok(Self::Bolts(count, positive("the radius", radius)?))
+            }
+            ("feet", "") => Err(FrictionError::Syntax(
+                "give a CSV file of feet, such as feet:robot.csv".into(),
+            )),
+            ("feet", file) => Ok(Self::Feet(file.into())),
             ("bar", length) => Ok(Self::Bar(positive("the length", length)?)),
             _ => {
                 let all: Vec<&str> = Self::SYNTAX.iter().map(|(syntax, _)| *syntax).collect();

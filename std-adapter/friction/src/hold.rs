@@ -1,8 +1,7 @@
-//! Whether a patch by name holds a push at rest.
+//! Whether an area holds a push at rest.
 
-use super::{Area, FrictionError, Patch};
+use super::{Area, Coefficients, FrictionError};
 use tribos_core::holding::StictionBounds;
-use tribos_core::law::DryFriction;
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::twist::{Twist, Wrench};
 
@@ -11,16 +10,15 @@ use tribos_core::twist::{Twist, Wrench};
 /// The two sets are limit surfaces of the kinetic and of the static coefficient; what lies between
 /// depends on how the bonds of the contact share the push (see [`tribos_core::holding`]).
 ///
-/// *Units*: `load` in N, `radius` of round patches in m; pushes act on the body at the origin of the
+/// *Units*: `load` in N; pushes act on the body at the origin of the
 /// patch, in N and N m. *Accuracy*: that of [`Area::limit_surface`].
 ///
 /// ```
-/// use tribos::friction::StictionTest;
+/// use tribos::friction::{Area, StictionTest};
 /// use tribos::kernel::holding::Stiction;
-/// use tribos::kernel::law::DryFriction;
 /// use tribos::prelude::*;
-/// let wood = DryFriction::new(0.5, 0.3)?; // static, kinetic
-/// let book = StictionTest::new(&"box:0.2x0.1".parse()?, wood, 10.0, 1.0, None)?; // N; m
+/// let book = Area::named(&"box:0.2x0.1".parse()?, 1.0, None)?; // m
+/// let book = StictionTest::new(&book, ["0.5".parse()?, "0.3".parse()?], 10.0)?; // static, kinetic; N
 /// let ask = |push: f64| book.holding(&Wrench::new(push, 0.0, 0.0)).stiction; // N
 /// assert_eq!([2.0, 4.0, 6.0].map(ask), [Stiction::Holds, Stiction::Undecided, Stiction::Slips]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -31,18 +29,22 @@ pub struct StictionTest {
 }
 
 impl StictionTest {
-    /// *Domain*: that of [`Area::named`]; 0 ≤ `load` < ∞.
+    /// *Domain*: kinetic coefficients that are nowhere above the static ones; 0 ≤ `load` < ∞.
     pub fn new(
-        patch: &Patch,
-        dry: DryFriction<f64>,
+        area: &Area,
+        [mu_s, mu_d]: [Coefficients; 2],
         load: f64,
-        radius: f64,
-        centre: Option<[f64; 2]>,
     ) -> Result<Self, FrictionError> {
-        let area = Area::named(patch, radius, centre)?;
+        if !mu_d.is_within(&mu_s) {
+            return Err(FrictionError::Syntax(format!(
+                "the kinetic coefficient {mu_d} is above the static one {mu_s}: give 0 <= kinetic <= static, along the \
+                 same axis"
+            )));
+        }
+        let set = |mu: Coefficients| mu.on(area.clone())?.limit_surface(mu.largest() * load);
         Ok(Self {
-            certain: area.limit_surface(dry.mu_dynamic() * load)?,
-            possible: area.limit_surface(dry.mu_static() * load)?,
+            certain: set(mu_d)?,
+            possible: set(mu_s)?,
         })
     }
 

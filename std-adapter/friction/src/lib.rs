@@ -37,11 +37,16 @@
 mod area;
 mod area_friction;
 mod catalogue;
+mod coefficients;
 mod contact_friction;
+#[cfg(feature = "scenes")]
+mod feet_files;
 #[cfg(feature = "scenes")]
 mod files;
 mod flat;
+mod floor;
 mod hold;
+mod image;
 mod law;
 mod patch;
 mod precision;
@@ -60,6 +65,7 @@ pub use area_friction::AreaFriction;
 pub use catalogue::{LAWS, LawEntry, LawParameter};
 #[doc(hidden)]
 pub use catalogue::{LawConstructor, find};
+pub use coefficients::Coefficients;
 #[doc(hidden)]
 pub use contact_friction::{AnyContactFriction, ContactVisitor};
 #[doc(hidden)]
@@ -67,6 +73,7 @@ pub use flat::Flat;
 pub use flat::FlatPatch;
 #[doc(hidden)]
 pub use flat::triangles_of;
+pub use floor::{Floor, FootOnFloor, Surface};
 pub use hold::StictionTest;
 #[doc(hidden)]
 pub use law::AnyLaw;

@@ -3,7 +3,7 @@
 use super::refusal::finite_number;
 use super::{FlatPatch, FrictionError};
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use tribos_core::coupling::Annulus;
 use tribos_core::patch::PowerPressure;
@@ -102,6 +102,17 @@ impl Patch {
             Self::Paraboloid => Some(PowerPressure::PARABOLOID),
             Self::Power(pressure) => Some(*pressure),
             Self::Annulus(_) | Self::Polynomial(_) | Self::Points(_) | Self::Flat(_) => None,
+        }
+    }
+
+    /// The file that it is read from, if it is.
+    pub fn file(&self) -> Option<&Path> {
+        match self {
+            Self::Points(file)
+            | Self::Flat(
+                FlatPatch::Polygon(file) | FlatPatch::Mesh(file) | FlatPatch::Feet(file),
+            ) => Some(file),
+            _ => None,
         }
     }
 

@@ -300,6 +300,13 @@ impl<R: Real> OwnedNodes<R> {
     }
 }
 
+impl<R: Real> OwnedNodes<R> {
+    /// Moves the nodes, which keep their weights.
+    pub(super) fn change(&mut self, change: impl FnMut(&mut Node<R>)) {
+        self.nodes.iter_mut().for_each(change);
+    }
+}
+
 impl<R: Real> NodePatch<R> for OwnedNodes<R> {
     fn nodes(&self) -> &[Node<R>] {
         &self.nodes

@@ -7,7 +7,6 @@ use super::{file, spool};
 use crate::command::suggestions::unknown;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
-use tribos::friction::{FlatPatch, Patch};
 use tribos::push::{PUSH_BOX, PushResult};
 use tribos::record::{number as shortest, read_text, series_csv};
 use tribos::scene::{MOST_BYTES, Need, PushScene};
@@ -73,14 +72,11 @@ impl Arguments {
     /// Computes, writes and prints.
     pub fn execute(self) -> Result<(), Failure> {
         let scene = self.read()?;
-        let corners = match &scene.patch {
-            Patch::Points(file) | Patch::Flat(FlatPatch::Polygon(file) | FlatPatch::Mesh(file)) => {
-                Some(file)
-            }
-            _ => None,
-        };
         for (name, output) in [("--output", &self.output), ("--picture", &self.picture)] {
-            for (output, input) in output.iter().zip([&self.scene].into_iter().chain(corners)) {
+            for (output, input) in output
+                .iter()
+                .zip([self.scene.as_path()].into_iter().chain(scene.patch.file()))
+            {
                 file::refuse_input(name, output, input)?;
             }
         }

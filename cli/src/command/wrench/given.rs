@@ -38,7 +38,7 @@ pub fn contact(arguments: &Arguments, tier: Tier) -> Vec<ContactParameter> {
             };
             given.push(ContactParameter::Number(
                 "coefficient",
-                arguments.coefficient,
+                arguments.coefficient.largest(),
                 unit,
             ));
             given.push(ContactParameter::Number("alpha", arguments.alpha, ""));

@@ -16,7 +16,7 @@ use number::in_range;
 use output::{Fields, Format, Line};
 pub use planar::centre;
 use std::path::{Path, PathBuf};
-use tribos::friction::{FlatPatch, Law, Patch, Precision, Tier};
+use tribos::friction::{Coefficients, Law, Patch, Precision, Tier};
 use tribos::record::Rows;
 use tribos::record::write_atomically;
 
@@ -61,9 +61,16 @@ pub struct Arguments {
     /// Exponent of the local law, > -1 (0 is Coulomb).
     #[arg(long, default_value = "0", value_parser = number::exponent, allow_negative_numbers = true)]
     alpha: f64,
-    /// Friction coefficient [(s/m)^alpha].
-    #[arg(long, default_value = "1", value_parser = number::not_negative, allow_negative_numbers = true)]
-    coefficient: f64,
+    /// Friction coefficient [(s/m)^alpha]; of dry friction also one along x and one along y, such as 0.5,0.9, or along
+    /// an axis and across it, such as 0.5,0.9,30deg.
+    #[arg(long, default_value = "1", value_name = "MU[,MU_Y[,AXIS]]", value_parser = number::coefficients,
+          allow_hyphen_values = true)]
+    coefficient: Coefficients,
+    /// CSV file of surfaces that move, columns `surface,x,y,velocity_x,velocity_y,spin`: two rows of one name are points
+    /// of a border to whose left the surface lies, three or more the corners of a convex polygon [m, m/s, rad/s]. Beside
+    /// them the floor is at rest.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["law", "alpha", "tier", "tilt"])]
+    surface: Option<PathBuf>,
     /// Load [N].
     #[arg(long, default_value = "1", value_parser = number::not_negative, allow_negative_numbers = true)]
     load: f64,
@@ -135,6 +142,9 @@ Examples:
   A box that slides and turns, and one whose weight is towards its front:
     tribos wrench --patch box:0.3x0.2 --coefficient 0.4 --load 20 --speed 0.5 --spin 3 --jacobian
     tribos wrench --patch box:0.3x0.2 --centre 0.03,0 --coefficient 0.4 --load 20 --speed 0.5 --spin 3
+  A tread that grips across x twice as well as along it, and a box half of which lies on a belt:
+    tribos wrench --patch box:0.2x0.08 --coefficient 0.45,0.9 --load 100 --speed 0.1 --spin 2
+    tribos wrench --patch box:0.3x0.2 --coefficient 0.4 --load 20 --surface belts.csv --speed 0
   The contact face of a solver, triangles with a pressure at each corner:
     tribos wrench --patch mesh:face.csv --coefficient 0.5 --load 80 --speed 0.1 --spin 2 --jacobian
   Many twists from a file, in single precision:
@@ -157,16 +167,13 @@ impl Arguments {
 
     fn evaluate<R: Precision>(&self) -> Result<(), Failure> {
         if let Some(output) = &self.output {
-            let points = match &self.patch {
-                Patch::Points(file)
-                | Patch::Flat(FlatPatch::Polygon(file) | FlatPatch::Mesh(file)) => Some(file),
-                _ => None,
-            };
-            for input in self.twists.iter().chain(points) {
+            let files = self.twists.iter().chain(&self.surface);
+            for input in files.map(PathBuf::as_path).chain(self.patch.file()) {
                 file::refuse_input("--output", output, input)?;
             }
         }
-        if matches!(self.patch, Patch::Flat(_)) {
+        let is_planar = self.surface.is_some() || !self.coefficient.is_isotropic();
+        if is_planar || matches!(self.patch, Patch::Flat(_)) {
             return planar::of_edges::<R>(self);
         }
         if let Patch::Points(points) = &self.patch
@@ -282,7 +289,7 @@ impl Arguments {
             law: self.law,
             alpha: self.alpha,
             tier: self.tier,
-            coefficient: self.coefficient,
+            coefficient: self.coefficient.largest(),
             radius: self.radius,
             tilt,
         })

@@ -6,7 +6,7 @@ use super::{Arguments, contact, warn_of_beyond};
 use crate::command::number::{self, in_range};
 use crate::failure::Failure;
 use std::path::Path;
-use tribos::friction::{Area, AreaFriction, Law, Precision};
+use tribos::friction::{Area, AreaFriction, Floor, Law, Precision, Surface};
 use tribos::record::Rows;
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
@@ -56,23 +56,27 @@ pub fn is_asked_of_points(arguments: &Arguments) -> Result<bool, Failure> {
     Ok(is_planar || arguments.jacobian)
 }
 
-/// Evaluates and prints what the arguments ask of a patch with straight edges or a mesh.
+/// Evaluates and prints what the arguments ask of a patch with straight edges or a mesh, of one with two coefficients,
+/// or of any on several surfaces.
 pub fn of_edges<R: Precision>(arguments: &Arguments) -> Result<(), Failure> {
     refuse_options(arguments)?;
+    let coefficients = arguments.coefficient;
     let law = match arguments.law {
         Some(law) => law,
         None => {
-            in_range::<R>("coefficient", arguments.coefficient)?;
-            Law::power(arguments.coefficient, arguments.alpha)?
+            in_range::<R>("coefficient", coefficients.largest())?;
+            Law::power(coefficients.largest(), arguments.alpha)?
         }
     };
     for (name, x) in law.values() {
         in_range::<R>(name, x)?;
     }
-    // The radius is for round patches.
-    let area = Area::named(&arguments.patch, R::ONE, arguments.centre)?;
-    let friction = AreaFriction::new(&area, &law, None)?;
+    let radius = in_range::<R>("radius", arguments.radius)?;
+    let area = Area::named(&arguments.patch, radius, arguments.centre)?;
     let mut given = vec![ContactParameter::Word("patch", arguments.patch.to_string())];
+    if area.is_round() {
+        given.push(ContactParameter::Number("radius", arguments.radius, "m"));
+    }
     if let Some([x, y]) = arguments.centre {
         given.push(ContactParameter::Word("centre", format!("{x},{y} m")));
     }
@@ -80,13 +84,57 @@ pub fn of_edges<R: Precision>(arguments: &Arguments) -> Result<(), Failure> {
     if let Some([coefficient, alpha]) = law.power_of_speed() {
         let is_dry = alpha == 0.0;
         let unit = if is_dry { "" } else { "(s/m)^alpha" };
-        given.push(ContactParameter::Number("coefficient", coefficient, unit));
+        given.push(match coefficients.is_isotropic() {
+            true => ContactParameter::Number("coefficient", coefficient, unit),
+            false => ContactParameter::Word("coefficient", coefficients.to_string()),
+        });
         if !is_dry {
             given.push(ContactParameter::Number("alpha", alpha, ""));
         }
     }
     let load = in_range("load", arguments.load)?;
-    deliver(arguments, &friction, load, &given)
+    let Some(file) = &arguments.surface else {
+        let friction = AreaFriction::new(&coefficients.on(area)?, &law, None)?;
+        return deliver(arguments, &OnFloor::AtRest(friction, load), &given);
+    };
+    given.push(ContactParameter::Word(
+        "surface",
+        file.display().to_string(),
+    ));
+    let area = Area::<f64>::named(&arguments.patch, arguments.radius, arguments.centre)?;
+    let floor = Floor::under(&area, &coefficients, arguments.load, &Surface::read(file)?)?;
+    deliver(arguments, &OnFloor::<R>::Moving(floor), &given)
+}
+
+/// Friction on a floor at rest under a load, or on one of several surfaces.
+enum OnFloor<R: Precision> {
+    AtRest(AreaFriction<R>, R),
+    Moving(Floor),
+}
+
+impl<R: Precision> OnFloor<R> {
+    fn wrench(&self, twist: &Twist<R>) -> Wrench<R> {
+        match self {
+            Self::AtRest(friction, load) => friction.wrench(*load, twist),
+            Self::Moving(floor) => {
+                let Wrench { force, torque } = floor.wrench(&in_double(twist));
+                let [x, y, torque] = [force.x, force.y, torque].map(R::from_f64);
+                Wrench::new(x, y, torque)
+            }
+        }
+    }
+
+    fn jacobian(&self, twist: &Twist<R>) -> WrenchJacobian<R> {
+        match self {
+            Self::AtRest(friction, load) => friction.wrench_jacobian(*load, twist),
+            Self::Moving(floor) => floor.wrench_jacobian(&in_double(twist)).map(R::from_f64),
+        }
+    }
+}
+
+fn in_double<R: Precision>(twist: &Twist<R>) -> Twist<f64> {
+    let Twist { velocity, spin } = *twist;
+    Twist::new(velocity.x.to_f64(), velocity.y.to_f64(), spin.to_f64())
 }
 
 /// The same of the points of a file.
@@ -109,15 +157,15 @@ pub fn of_points<R: Precision>(arguments: &Arguments, path: &Path) -> Result<(),
         in_range::<R>(name, x)?;
     }
     let friction = AreaFriction::at_points(contact::points(path, &|_| R::ONE)?, &law)?;
-    let coefficient: R = in_range("coefficient", arguments.coefficient)?;
+    let coefficient: R = in_range("coefficient", arguments.coefficient.largest())?;
     let load = coefficient * in_range::<R>("load", arguments.load)?;
     let given = [
         ContactParameter::Word("patch", arguments.patch.to_string()),
         ContactParameter::Number("load", arguments.load, "N"),
         ContactParameter::Word("law", law.to_string()),
-        ContactParameter::Number("coefficient", arguments.coefficient, ""),
+        ContactParameter::Number("coefficient", arguments.coefficient.largest(), ""),
     ];
-    deliver(arguments, &friction, load, &given)
+    deliver(arguments, &OnFloor::AtRest(friction, load), &given)
 }
 
 /// Refuses options that have no meaning for straight edges.
@@ -126,7 +174,7 @@ fn refuse_options(arguments: &Arguments) -> Result<(), Failure> {
         "--tilt is for round patches; --centre X,Y moves the centre of pressure"
     } else if arguments.tier.is_some() {
         "a patch with straight edges has one tier, which is exact: leave out --tier"
-    } else if arguments.radius != 1.0 {
+    } else if arguments.radius != 1.0 && !arguments.patch.has_axis() {
         "a patch with straight edges has its own size: leave out --radius"
     } else {
         return Ok(());
@@ -136,11 +184,10 @@ fn refuse_options(arguments: &Arguments) -> Result<(), Failure> {
 
 fn deliver<R: Precision>(
     arguments: &Arguments,
-    friction: &AreaFriction<R>,
-    load: R,
+    friction: &OnFloor<R>,
     given: &[ContactParameter],
 ) -> Result<(), Failure> {
-    let at = |twist| line(friction, load, twist, arguments.jacobian);
+    let at = |twist| line(friction, twist, arguments.jacobian);
     match &arguments.twists {
         Some(file) => arguments.all(file, &TWIST, given, at),
         None => {
@@ -154,8 +201,7 @@ fn deliver<R: Precision>(
 }
 
 fn line<R: Precision>(
-    friction: &AreaFriction<R>,
-    load: R,
+    friction: &OnFloor<R>,
     given: [f64; 3],
     with_jacobian: bool,
 ) -> Result<(Fields, bool), Failure> {
@@ -165,8 +211,8 @@ fn line<R: Precision>(
     }
     let [x, y, spin] = parts;
     let twist = Twist::new(x, y, spin);
-    let wrench = friction.wrench(load, &twist);
-    let jacobian = with_jacobian.then(|| friction.wrench_jacobian(load, &twist));
+    let wrench = friction.wrench(&twist);
+    let jacobian = with_jacobian.then(|| friction.jacobian(&twist));
     Ok(answer(given, &wrench, jacobian.as_ref()))
 }
 

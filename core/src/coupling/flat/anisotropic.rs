@@ -110,8 +110,8 @@ impl<R: Real, P: PatchShape<R>> PatchShape<R> for AnisotropicPatch<R, P> {
 #[cfg(test)]
 mod tests {
     use crate::coupling::flat::ShapeFriction;
+    use crate::patch::affine_image::AffineImage;
     use crate::patch::anisotropic::{AnisotropicPatch, AxisCoefficients};
-    use crate::patch::linear_image::LinearImage;
     use crate::patch::mesh::{Mesh, Vertex};
     use crate::patch::nodes::{Node, Nodes};
     use crate::patch::outline::Polygon;
@@ -122,7 +122,7 @@ mod tests {
     const AXIS: [f64; 2] = [0.8, 0.6];
     const LOAD: f64 = 7.0;
 
-    fn friction<P: LinearImage<f64>>(
+    fn friction<P: AffineImage<f64>>(
         patch: P,
         mu: [f64; 2],
     ) -> ShapeFriction<f64, AnisotropicPatch<f64, P>> {

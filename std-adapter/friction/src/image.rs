@@ -1,0 +1,227 @@
+//! Areas turned, moved and stretched, and cut along straight borders.
+
+use super::flat::Flat;
+use super::{FrictionError, OwnedNodes, Precision};
+use tribos_core::patch::affine_image::{AffineImage, AffineMap, image_of};
+use tribos_core::patch::bar::Bar;
+use tribos_core::patch::feet::{CompoundPatch, PatchPart};
+use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
+use tribos_core::patch::nodes::{Node, NodePatch};
+use tribos_core::patch::outline::Edge;
+use tribos_core::patch::piece::{HalfPlane, Piece};
+use tribos_core::patch::points::PointPatch;
+use tribos_core::patch::round::RoundPatch;
+use tribos_core::real::Real;
+
+impl<R: Precision> AffineImage<R> for Flat<R> {
+    fn image(self, map: &AffineMap<R>) -> Option<Self> {
+        Some(match self {
+            Self::Polygon(patch) => Self::Polygon(patch.image(map)?),
+            Self::Leaning(patch) => Self::Leaning(patch.image(map)?),
+            Self::Bar(patch) => Self::Bar(patch.image(map)?),
+            Self::Mesh(patch) => Self::Mesh(patch.image(map)?),
+            Self::Points(patch) => Self::Points(patch.moved(map, |nodes| nodes.moved(map))),
+            Self::Round(patch) => return round_image(*patch, map),
+            Self::Anisotropic(patch) => Self::Anisotropic(Box::new(patch.placed(map)?)),
+            Self::Feet(feet) => {
+                let parts = feet.feet().iter().map(|part| {
+                    let patch = part.patch.clone().image(map)?;
+                    Some(PatchPart { patch, ..*part })
+                });
+                let parts: Option<Vec<_>> = parts.collect();
+                Self::Feet(CompoundPatch::new(parts?).ok()?)
+            }
+        })
+    }
+}
+
+/// A round patch elsewhere; stretched it is none.
+fn round_image<R: Precision>(
+    patch: RoundPatch<R, super::surface::DryRound<R>>,
+    map: &AffineMap<R>,
+) -> Option<Flat<R>> {
+    let [first, second] = map.rows;
+    if first.x != second.y || first.y != -second.x {
+        return None;
+    }
+    let scale = first.x.hypot(first.y);
+    let centre = map.of(&patch.centre()).into();
+    let moved = RoundPatch::new(*patch.coupling(), centre, patch.radius() * scale).ok()?;
+    Some(Flat::Round(Box::new(moved)))
+}
+
+impl<R: Real> OwnedNodes<R> {
+    /// The same weights at the images of their places.
+    fn moved(mut self, map: &AffineMap<R>) -> Self {
+        self.change(|node| *node = image_of(map, node));
+        self
+    }
+}
+
+impl<R: Precision> Flat<R> {
+    /// What of the area lies within a half-plane, with its share of the load; `None` if nothing does.
+    pub(super) fn within(
+        &self,
+        side: &HalfPlane<R>,
+    ) -> Result<Option<Piece<R, Self>>, FrictionError> {
+        fn of<R: Real, P, Q>(piece: Piece<R, P>, patch: impl FnOnce(P) -> Q) -> Piece<R, Q> {
+            let share = piece.share;
+            Piece {
+                patch: patch(piece.patch),
+                share,
+            }
+        }
+        Ok(match self {
+            Self::Polygon(patch) => {
+                let memory = vec![Edge::default(); 2 * patch.edge_count()];
+                let piece = patch
+                    .within(side, memory)
+                    .map_err(tribos_core::Error::from)?;
+                piece.map(|piece| of(piece, Self::Polygon))
+            }
+            Self::Leaning(patch) => {
+                let memory = vec![Edge::default(); 2 * patch.edge_count()];
+                let piece = patch
+                    .within(side, memory)
+                    .map_err(tribos_core::Error::from)?;
+                piece.map(|piece| of(piece, Self::Leaning))
+            }
+            Self::Bar(bar) => bar_within(bar, side)?,
+            Self::Mesh(mesh) => mesh_within(mesh, side)?,
+            Self::Points(points) => points_within(points, side)?,
+            Self::Round(patch) => round_within(patch, side)?,
+            Self::Anisotropic(patch) => {
+                let piece = patch.within(side, Self::within)?;
+                piece.map(|piece| of(piece, |patch| Self::Anisotropic(Box::new(patch))))
+            }
+            Self::Feet(feet) => {
+                let (mut parts, mut total, mut kept) = (Vec::new(), R::ZERO, R::ZERO);
+                for part in feet.feet() {
+                    total += part.load;
+                    if let Some(Piece { patch, share }) = part.patch.within(side)? {
+                        let load = part.load * share;
+                        kept += load;
+                        parts.push(PatchPart { patch, load });
+                    }
+                }
+                if kept > R::ZERO {
+                    let patch = Self::Feet(CompoundPatch::new(parts)?);
+                    let share = kept / total;
+                    Some(Piece { patch, share })
+                } else {
+                    None
+                }
+            }
+        })
+    }
+}
+
+/// The part of a bar on one side.
+fn bar_within<R: Precision>(
+    bar: &Bar<R>,
+    side: &HalfPlane<R>,
+) -> Result<Option<Piece<R, Flat<R>>>, FrictionError> {
+    let [from, to] = bar.ends();
+    let whole = |share| Piece {
+        patch: Flat::Bar(*bar),
+        share,
+    };
+    let Some(at) = side.crossing([from, to]) else {
+        return Ok(side.contains(from).then(|| whole(R::ONE)));
+    };
+    let met = [0, 1].map(|i| from[i] + (to[i] - from[i]) * at);
+    let (ends, share) = if side.contains(from) {
+        ([from, met], at)
+    } else {
+        ([met, to], R::ONE - at)
+    };
+    // A piece that is lost in rounding is none.
+    let piece = Bar::new(ends[0], ends[1]).ok().filter(|_| share > R::ZERO);
+    Ok(piece.map(|bar| Piece {
+        patch: Flat::Bar(bar),
+        share,
+    }))
+}
+
+/// The triangles, and parts of triangles, on one side.
+fn mesh_within<R: Precision>(
+    mesh: &Mesh<R, Vec<Triangle<R>>>,
+    side: &HalfPlane<R>,
+) -> Result<Option<Piece<R, Flat<R>>>, FrictionError> {
+    let mut vertices: Vec<Vertex<R>> = Vec::new();
+    let mut triangles = Vec::new();
+    for corners in mesh.corners() {
+        let mut kept: Vec<Vertex<R>> = Vec::with_capacity(4);
+        for (a, b) in [(0, 1), (1, 2), (2, 0)] {
+            let (from, to) = (corners[a], corners[b]);
+            if side.contains([from.x, from.y]) {
+                kept.push(from);
+            }
+            if let Some(at) = side.crossing([[from.x, from.y], [to.x, to.y]]) {
+                kept.push(Vertex {
+                    x: from.x + (to.x - from.x) * at,
+                    y: from.y + (to.y - from.y) * at,
+                    pressure: from.pressure + (to.pressure - from.pressure) * at,
+                });
+            }
+        }
+        let first = vertices.len();
+        for last in 2..kept.len() {
+            triangles.push([first, first + last - 1, first + last]);
+        }
+        vertices.extend(kept);
+    }
+    let memory = vec![Triangle::default(); triangles.len()];
+    // What is left may carry nothing.
+    let Ok(piece) = Mesh::with_vertices(&vertices, &triangles, memory) else {
+        return Ok(None);
+    };
+    // The corners' pressures are such that the whole carries 1 per squared radius.
+    let share = piece.load() / (mesh.radius() * mesh.radius());
+    Ok(Some(Piece {
+        patch: Flat::Mesh(piece),
+        share,
+    }))
+}
+
+/// The points on one side.
+fn points_within<R: Precision>(
+    points: &PointPatch<R, OwnedNodes<R>>,
+    side: &HalfPlane<R>,
+) -> Result<Option<Piece<R, Flat<R>>>, FrictionError> {
+    let nodes = points.nodes().nodes().iter().copied();
+    let kept: Vec<Node<R>> = nodes
+        .filter(|node| side.contains([node.x, node.y]))
+        .collect();
+    let Ok(nodes) = OwnedNodes::new(kept) else {
+        return Ok(None);
+    };
+    let share = nodes.total_weight() / points.nodes().total_weight();
+    let patch = PointPatch::new(nodes).map_err(|_| {
+        FrictionError::Unserved(
+            "a single point stands on a surface of its own: give it a small patch, such as disk with its radius".into(),
+        )
+    })?;
+    Ok(Some(Piece {
+        patch: Flat::Points(patch),
+        share,
+    }))
+}
+
+/// A round patch on one side.
+fn round_within<R: Precision>(
+    patch: &RoundPatch<R, super::surface::DryRound<R>>,
+    side: &HalfPlane<R>,
+) -> Result<Option<Piece<R, Flat<R>>>, FrictionError> {
+    let centre = patch.centre();
+    let distance = side.distance_of([centre.x, centre.y]);
+    if distance.abs() < patch.radius() {
+        return Err(FrictionError::Unserved(
+            "a border runs through a round patch: give its outline as a polygon".into(),
+        ));
+    }
+    Ok((distance > R::ZERO).then(|| Piece {
+        patch: Flat::Round(Box::new(*patch)),
+        share: R::ONE,
+    }))
+}
