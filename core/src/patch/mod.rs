@@ -5,6 +5,7 @@
 
 pub mod bar;
 mod edge;
+pub mod ellipse;
 mod error;
 pub mod feet;
 mod flat_pressure;
