@@ -1,5 +1,6 @@
 //! Validation of patches.
 
+use super::ellipse::Ellipse;
 use super::polar::PolarQuadrature;
 use crate::real::Real;
 
@@ -49,6 +50,12 @@ pub enum PatchError {
         given: f64,
         /// Largest order served.
         max: f64,
+    },
+    /// The semi-axes of an ellipse are not positive and finite, or one is more than
+    /// [`super::ellipse::Ellipse::MAX_ASPECT_RATIO`] times the other.
+    SemiAxes {
+        /// What was given; the larger one first if they follow from half-diameters.
+        given: [f64; 2],
     },
     /// The inner over the outer radius of an annulus is not in [0, `max`].
     InnerRatio {
@@ -161,6 +168,14 @@ impl core::fmt::Display for PatchError {
                 f,
                 "the order q of a pressure (1-r^2)^q must satisfy -1 <= q <= {max}, not {given}"
             ),
+            Self::SemiAxes { given: [a, b] } => {
+                let max = Ellipse::<f64>::MAX_ASPECT_RATIO;
+                write!(
+                    f,
+                    "the semi-axes of an ellipse must be positive and finite, one at most {max} times the other, \
+                     not {a} and {b}; a longer ellipse is a bar"
+                )
+            }
             Self::InnerRatio { given, max } => write!(
                 f,
                 "inner radius / outer radius must be from 0 to {max}, not {given}; \

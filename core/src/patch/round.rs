@@ -32,10 +32,7 @@ impl<R: Real, C> RoundPatch<R, C> {
     pub fn new(coupling: C, centre: [R; 2], radius: R) -> Result<Self, PatchError> {
         let [x, y] = centre;
         if !(x.is_finite() && y.is_finite()) {
-            return Err(PatchError::NodePosition {
-                index: 0,
-                given: [x.to_f64(), y.to_f64()],
-            });
+            return Err(PatchError::Centre);
         }
         Ok(Self {
             coupling,

@@ -1,4 +1,4 @@
-//! Patches with straight edges and bars: every accepted one has friction and a limit surface.
+//! Patches with straight edges, bars and ellipses: every accepted one has friction and a limit surface.
 
 use super::planes::{dissipates, parts, rates, stepped, twist, wrench};
 use super::sets::asked;
@@ -8,6 +8,7 @@ use tribos_core::coupling::flat::{
 };
 use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
 use tribos_core::patch::bar::Bar;
+use tribos_core::patch::ellipse::{Ellipse, EllipsePressure};
 use tribos_core::patch::feet::{CompoundPatch, PatchPart};
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
 use tribos_core::patch::nodes::{Node, NodePatch, Nodes};
@@ -23,7 +24,7 @@ type Shape<R, K> = Polygon<R, [Edge<R>; ROOM], K>;
 
 /// One patch.
 pub fn polygons<R: Real>(input: &mut Input<'_>) -> Verdict {
-    match input.below(9) {
+    match input.below(10) {
         0 => any_corners::<R>(input),
         1 => {
             let ends = [(); 2].map(|()| [input.number::<R>(), input.number()]);
@@ -35,6 +36,7 @@ pub fn polygons<R: Real>(input: &mut Input<'_>) -> Verdict {
         3 => faces::<R>(input),
         4 => spikes::<R>(input),
         5 => sledge::<R>(input),
+        6 => oval::<R>(input),
         _ => star::<R>(input),
     }
 }
@@ -141,6 +143,31 @@ fn sledge<R: Real>(input: &mut Input<'_>) -> Verdict {
     input.holds(body.feet().len() == 2, "two feet", &[radius])?;
     placed(input, &body.centre(), body.radius())?;
     borne(input, &body)
+}
+
+/// An ellipse with axes in any direction, or a linear image of one.
+fn oval<R: Real>(input: &mut Input<'_>) -> Verdict {
+    let size = input.ordinary::<R>();
+    let centre = near(input, size);
+    let pressure = input.one_of(&[
+        EllipsePressure::FlatPunch,
+        EllipsePressure::Uniform,
+        EllipsePressure::Hertz,
+        EllipsePressure::Paraboloid,
+    ]);
+    let made = if input.one_in(2) {
+        Ellipse::new(centre, place(input, size), pressure)
+    } else {
+        let half_diameters = [place(input, size), place(input, size)];
+        Ellipse::with_half_diameters(centre, half_diameters, pressure)
+    };
+    let patch = input.taken(made)?;
+    placed(input, &patch.centre(), patch.radius())?;
+    let [a, b] = patch.semi_axes();
+    let axis = patch.major_axis();
+    input.holds(a >= b && b > R::ZERO, "axes in their order", &[a, b])?;
+    input.finite("a direction", [axis.x, axis.y])?;
+    borne_if_mild(input, &patch)
 }
 
 /// A patch that is at most a few times as long as wide, at times with a hole.

@@ -15,6 +15,9 @@
 mod anisotropic;
 mod bar;
 mod cone;
+mod ellipse;
+mod ellipse_closed;
+mod ellipse_panels;
 pub(crate) mod feet;
 mod linear;
 mod mesh;
@@ -75,8 +78,8 @@ pub struct PointLoad<R: Real> {
 /// A patch of any shape under dry friction: its dissipated power and the derivatives of that.
 ///
 /// Implemented by the patches with straight edges of [`crate::patch::outline`], by meshes
-/// ([`crate::patch::mesh`]), points ([`crate::patch::points`]) and bodies on several of them
-/// ([`crate::patch::feet`]).
+/// ([`crate::patch::mesh`]), ellipses ([`crate::patch::ellipse`]), points ([`crate::patch::points`]) and bodies on
+/// several of them ([`crate::patch::feet`]).
 pub trait PatchShape<R: Real> {
     /// The centre of pressure, in the coordinates that twist and wrench refer to.
     fn centre(&self) -> Vector2<R>;
