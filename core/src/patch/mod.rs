@@ -5,6 +5,7 @@
 
 pub mod bar;
 mod edge;
+pub mod elastic;
 mod error;
 pub mod feet;
 mod flat_pressure;
