@@ -233,6 +233,8 @@ impl From<PatchError> for tribos_status {
             PatchError::Divisions { .. } => Self::Divisions,
             PatchError::RuleOrder { .. } => Self::Rings,
             PatchError::RimExponent { .. } => Self::RimExponent,
+            // Of elastic ellipses alone, which C does not have.
+            PatchError::CurvatureRatio { .. } | PatchError::Unsolved => Self::NotPositive,
         }
     }
 }

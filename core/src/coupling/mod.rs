@@ -19,7 +19,7 @@
 //! 200 bytes). Tables take 14 KiB a law on the uniform disk and 48 KiB elsewhere (f32: 3 and 7 KiB) and the same time for
 //! every pressure and exponent; the series is code only, 4 times as slow, next to equal speeds 100 times.
 //!
-//! [`RoundFriction`] adds radius and coefficient. A pressure that leans makes spinning friction
+//! [`RoundFriction`] adds radius and coefficient, [`LoadedFriction`] a radius that follows the load. A pressure that leans makes spinning friction
 //! lateral ([`LateralFriction`]); [`load_transfer::LoadTransferFriction`] finds the lean of a tall body. A tier that a program
 //! does not name costs nothing.
 //!
@@ -37,6 +37,7 @@ mod friction;
 mod half_octave_table;
 mod lateral;
 mod lean_profile;
+mod loaded;
 mod polynomial;
 mod pressure_family;
 mod profile;
@@ -57,6 +58,7 @@ pub use annulus::Annulus;
 pub use dry::DryProfile;
 pub use friction::{Magnitudes, MagnitudesJacobian, RoundFriction};
 pub use lateral::LateralFriction;
+pub use loaded::LoadedFriction;
 pub(crate) use pressure_family::inertia_ends;
 pub use profile::{PowerLawFriction, unscaled_wrench};
 

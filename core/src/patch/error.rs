@@ -150,6 +150,15 @@ pub enum PatchError {
     CornerDistance,
     /// The centre of pressure lies outside of the convex hull of the corners: the body tips over.
     CentreOutside,
+    /// The smaller of two relative curvatures is below `least` of the larger: a line contact.
+    CurvatureRatio {
+        /// What was given.
+        given: f64,
+        /// Smallest ratio served.
+        least: f64,
+    },
+    /// The equation of an ellipse's axes was not solved to rounding.
+    Unsolved,
 }
 
 impl PatchError {
@@ -252,6 +261,12 @@ impl core::fmt::Display for PatchError {
                 "the centre of pressure must lie in the convex hull of the corners; \
                  the body tips over there",
             ),
+            Self::CurvatureRatio { given, least } => write!(
+                f,
+                "the smaller relative curvature must be at least {least} of the larger, not {given}; \
+                 a contact along a line has a width and no length of its own"
+            ),
+            Self::Unsolved => f.write_str("the axes of the ellipse were not found to rounding"),
         }
     }
 }

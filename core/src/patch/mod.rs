@@ -8,6 +8,7 @@ pub mod affine_image;
 pub mod anisotropic;
 pub mod bar;
 mod edge;
+pub mod elastic;
 pub mod ellipse;
 mod error;
 pub mod feet;

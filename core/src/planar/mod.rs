@@ -20,6 +20,8 @@
 //! p = M u the change is the projection P of p, and (p − P)·M⁻¹ p ≥ 0 for every convex S that
 //! contains 0; for a round patch neither velocity nor spin changes its sense.
 //!
+//! [`PlanarBody::step_sticking`] is the step of a body that holds more at rest than in motion.
+//!
 //! ```
 //! use tribos_core::contact::TimeStep;
 //! use tribos_core::coupling::coulomb::CoulombDisk;
@@ -44,6 +46,7 @@ mod batch;
 mod elastic;
 mod point_contacts;
 mod step;
+mod sticking;
 #[cfg(test)]
 #[allow(clippy::disallowed_methods, reason = "tests compare with the platform")]
 mod tests;

@@ -11,6 +11,7 @@ use std::str::FromStr;
 use tribos_core::coupling::flat::{Hessian, Motion, PatchShape, PointLoad, Reduced};
 use tribos_core::patch::anisotropic::AnisotropicPatch;
 use tribos_core::patch::bar::Bar;
+use tribos_core::patch::ellipse::{Ellipse, EllipsePressure};
 use tribos_core::patch::feet::{CompoundPatch, PatchPart};
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
 use tribos_core::patch::nodes::Node;
@@ -44,6 +45,10 @@ pub enum FlatPatch {
     Bolts(u32, f64),
     /// Feet of a body, in a file.
     Feet(PathBuf),
+    /// An ellipse with these semi-axes along x and y, about the origin, under uniform pressure.
+    Ellipse([f64; 2]),
+    /// The same under the pressure of curved elastic bodies, sqrt(1 - rho^2).
+    HertzEllipse([f64; 2]),
 }
 
 /// A patch with straight edges, a mesh or points, ready for the kernel.
@@ -59,6 +64,8 @@ pub enum Flat<R: Precision> {
     Mesh(Mesh<R, Vec<Triangle<R>>>),
     /// Points with weights.
     Points(PointPatch<R, OwnedNodes<R>>),
+    /// An ellipse.
+    Ellipse(Ellipse<R>),
     /// Round, in a place of its own.
     Round(Box<RoundPatch<R, DryRound<R>>>),
     /// Any of these under friction that differs along two axes.
@@ -92,6 +99,14 @@ impl FlatPatch {
              pressures of which only the ratios count",
         ),
         (
+            "ellipse:AxB",
+            "an ellipse of semi-axes A and B, in m, about the origin, under uniform pressure",
+        ),
+        (
+            "hertz-ellipse:AxB",
+            "the same under the pressure of curved elastic bodies, sqrt(1 - rho^2) with rho = 1 at the edge",
+        ),
+        (
             "bolts:NxR",
             "N bolts on a circle of radius R, in m, that share the load evenly",
         ),
@@ -111,7 +126,7 @@ impl FlatPatch {
         all.any(|known| known == name)
     }
 
-    /// The corners of all loops, the outer one first; of a bar both ends, of a mesh its triangles, of bolts and feet none.
+    /// The corners of all loops, the outer one first; of a bar both ends, of a mesh its triangles, of ellipses, bolts and feet none.
     #[doc(hidden)]
     pub fn loops(&self) -> Result<Vec<Vec<[f64; 2]>>, FrictionError> {
         Ok(match self {
@@ -126,7 +141,9 @@ impl FlatPatch {
                 vec![vec![[-x, -y], [x, -y], [x, y], [-x, y]]]
             }
             Self::Polygon(path) => files::loops(path)?,
-            Self::Bolts(..) | Self::Feet(_) => Vec::new(),
+            Self::Bolts(..) | Self::Feet(_) | Self::Ellipse(_) | Self::HertzEllipse(_) => {
+                Vec::new()
+            }
         })
     }
 
@@ -153,6 +170,15 @@ impl FlatPatch {
                 own("bolts share the load evenly")?;
                 let bolts = OwnedNodes::new(bolts(*count, *radius)).and_then(PointPatch::new);
                 return Ok(Flat::Points(bolts.map_err(tribos_core::Error::from)?));
+            }
+            Self::Ellipse(semi_axes) | Self::HertzEllipse(semi_axes) => {
+                own("an ellipse has its own pressure")?;
+                let pressure = match self {
+                    Self::Ellipse(_) => EllipsePressure::Uniform,
+                    _ => EllipsePressure::Hertz,
+                };
+                let ellipse = Ellipse::new(narrow([0.0; 2]), narrow(*semi_axes), pressure);
+                return Ok(Flat::Ellipse(ellipse.map_err(tribos_core::Error::from)?));
             }
             Self::Feet(path) => {
                 own("feet have loads of their own")?;
@@ -240,7 +266,11 @@ impl<R: Precision> Flat<R> {
             Self::Leaning(patch) => patch.radius_of_gyration(),
             Self::Bar(bar) => bar.radius() / R::from_f64(3.0).sqrt(),
             Self::Round(patch) => patch.radius() / R::TWO.sqrt(),
-            Self::Mesh(_) | Self::Points(_) | Self::Anisotropic(_) | Self::Feet(_) => {
+            Self::Mesh(_)
+            | Self::Points(_)
+            | Self::Ellipse(_)
+            | Self::Anisotropic(_)
+            | Self::Feet(_) => {
                 return Err(FrictionError::Syntax(
                     "a plate is a box, a polygon, a bar or a disk".into(),
                 ));
@@ -258,6 +288,7 @@ macro_rules! each {
             Flat::Bar($patch) => $answer,
             Flat::Mesh($patch) => $answer,
             Flat::Points($patch) => $answer,
+            Flat::Ellipse($patch) => $answer,
             Flat::Round($patch) => $answer,
             Flat::Anisotropic($patch) => $answer,
             Flat::Feet($patch) => $answer,
@@ -294,6 +325,8 @@ impl fmt::Display for FlatPatch {
             Self::Polygon(path) => write!(f, "polygon:{}", path.display()),
             Self::Bar(length) => write!(f, "bar:{length}"),
             Self::Mesh(path) => write!(f, "mesh:{}", path.display()),
+            Self::Ellipse([a, b]) => write!(f, "ellipse:{a}x{b}"),
+            Self::HertzEllipse([a, b]) => write!(f, "hertz-ellipse:{a}x{b}"),
             Self::Bolts(count, radius) => write!(f, "bolts:{count}x{radius}"),
             Self::Feet(path) => write!(f, "feet:{}", path.display()),
         }
@@ -335,6 +368,18 @@ impl FromStr for FlatPatch {
                 "give a CSV file of triangles, such as mesh:pad.csv".into(),
             )),
             ("mesh", file) => Ok(Self::Mesh(file.into())),
+            ("ellipse" | "hertz-ellipse", axes) => {
+                let Some((a, b)) = axes.split_once('x') else {
+                    return Err(FrictionError::Syntax(
+                        "give two semi-axes in m, such as ellipse:0.006x0.004".into(),
+                    ));
+                };
+                let axes = [positive("semi-axis A", a)?, positive("semi-axis B", b)?];
+                Ok(match name.trim() {
+                    "ellipse" => Self::Ellipse(axes),
+                    _ => Self::HertzEllipse(axes),
+                })
+            }
             ("bolts", text) => {
                 let parts = text.split_once('x');
                 let count = parts.and_then(|(count, _)| count.trim().parse().ok());

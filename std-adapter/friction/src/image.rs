@@ -1,9 +1,11 @@
 //! Areas turned, moved and stretched, and cut along straight borders.
 
 use super::flat::Flat;
+use super::surface::DryRound;
 use super::{FrictionError, OwnedNodes, Precision};
 use tribos_core::patch::affine_image::{AffineImage, AffineMap, image_of};
 use tribos_core::patch::bar::Bar;
+use tribos_core::patch::ellipse::{Ellipse, EllipsePressure};
 use tribos_core::patch::feet::{CompoundPatch, PatchPart};
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
 use tribos_core::patch::nodes::{Node, NodePatch};
@@ -21,6 +23,7 @@ impl<R: Precision> AffineImage<R> for Flat<R> {
             Self::Bar(patch) => Self::Bar(patch.image(map)?),
             Self::Mesh(patch) => Self::Mesh(patch.image(map)?),
             Self::Points(patch) => Self::Points(patch.moved(map, |nodes| nodes.moved(map))),
+            Self::Ellipse(patch) => Self::Ellipse(patch.image(map)?),
             Self::Round(patch) => return round_image(*patch, map),
             Self::Anisotropic(patch) => Self::Anisotropic(Box::new(patch.placed(map)?)),
             Self::Feet(feet) => {
@@ -35,14 +38,23 @@ impl<R: Precision> AffineImage<R> for Flat<R> {
     }
 }
 
-/// A round patch elsewhere; stretched it is none.
+/// A round patch elsewhere; stretched it is an ellipse, if it has the pressure of one.
 fn round_image<R: Precision>(
-    patch: RoundPatch<R, super::surface::DryRound<R>>,
+    patch: RoundPatch<R, DryRound<R>>,
     map: &AffineMap<R>,
 ) -> Option<Flat<R>> {
     let [first, second] = map.rows;
     if first.x != second.y || first.y != -second.x {
-        return None;
+        let pressure = match patch.coupling() {
+            DryRound::Disk(_) => EllipsePressure::Uniform,
+            DryRound::Hertz(_) => EllipsePressure::Hertz,
+            DryRound::Punch(_) => EllipsePressure::FlatPunch,
+            DryRound::Paraboloid(_) => EllipsePressure::Paraboloid,
+            _ => return None,
+        };
+        let semi_axes = [patch.radius(); 2];
+        let ellipse = Ellipse::new(patch.centre().into(), semi_axes, pressure).ok()?;
+        return Some(Flat::Ellipse(ellipse.image(map)?));
     }
     let scale = first.x.hypot(first.y);
     let centre = map.of(&patch.centre()).into();
@@ -89,6 +101,7 @@ impl<R: Precision> Flat<R> {
             Self::Bar(bar) => bar_within(bar, side)?,
             Self::Mesh(mesh) => mesh_within(mesh, side)?,
             Self::Points(points) => points_within(points, side)?,
+            Self::Ellipse(patch) => ellipse_within(patch, side)?,
             Self::Round(patch) => round_within(patch, side)?,
             Self::Anisotropic(patch) => {
                 let piece = patch.within(side, Self::within)?;
@@ -208,9 +221,27 @@ fn points_within<R: Precision>(
     }))
 }
 
+/// An ellipse on one side.
+fn ellipse_within<R: Precision>(
+    patch: &Ellipse<R>,
+    side: &HalfPlane<R>,
+) -> Result<Option<Piece<R, Flat<R>>>, FrictionError> {
+    let centre = patch.centre();
+    let distance = side.distance_of([centre.x, centre.y]);
+    if distance.abs() < patch.radius() {
+        return Err(FrictionError::Unserved(
+            "a border runs through or next to an ellipse: give its outline as a polygon".into(),
+        ));
+    }
+    Ok((distance > R::ZERO).then(|| Piece {
+        patch: Flat::Ellipse(*patch),
+        share: R::ONE,
+    }))
+}
+
 /// A round patch on one side.
 fn round_within<R: Precision>(
-    patch: &RoundPatch<R, super::surface::DryRound<R>>,
+    patch: &RoundPatch<R, DryRound<R>>,
     side: &HalfPlane<R>,
 ) -> Result<Option<Piece<R, Flat<R>>>, FrictionError> {
     let centre = patch.centre();

@@ -1,7 +1,14 @@
 //! Patches: every accepted patch is usable.
 
-use crate::{Input, Verdict};
+use super::planes::{dissipates, parts, twist};
+use crate::{Input, Stop, Verdict};
+use tribos_core::coupling::LoadedFriction;
+use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::internals::tripod_shares;
+use tribos_core::patch::elastic::{
+    AdhesiveSphere, Elasticity, HertzEllipse, HertzSphere, LoadedRadius, SoftFinger,
+    effective_modulus, relative_curvatures,
+};
 use tribos_core::patch::nodes::{
     Node, NodeBuffer, NodeList, NodePatch, NodeSink, NodeSlice, Nodes,
 };
@@ -11,7 +18,7 @@ use tribos_core::real::Real;
 
 /// One patch.
 pub fn patches<R: Real>(input: &mut Input<'_>) -> Verdict {
-    match input.below(9) {
+    match input.below(12) {
         0 | 1 => {
             let nodes = [(); 4].map(|()| node::<R>(input));
             let nodes = input.taken(Nodes::new(nodes))?;
@@ -37,6 +44,8 @@ pub fn patches<R: Real>(input: &mut Input<'_>) -> Verdict {
         }
         6 => memory::<R>(input),
         7 => rules::<R>(input),
+        8 | 9 => elastic::<R>(input),
+        10 => ellipse::<R>(input),
         _ => pressures(input),
     }
 }
@@ -115,6 +124,82 @@ fn sound<R: Real>(input: &mut Input<'_>, patch: &impl NodePatch<R>) -> Verdict {
         "a finite sum of weights",
         &[total],
     )
+}
+
+/// Elastic modulus of two bodies.
+fn modulus<R: Real>(input: &mut Input<'_>) -> Result<R, Stop> {
+    let [first, second] = [(); 2].map(|()| Elasticity {
+        young: input.positive::<R>(),
+        poisson: R::HALF * input.unit::<R>(),
+    });
+    input.taken(effective_modulus(first, second))
+}
+
+/// Radii that follow the load, and friction on them.
+fn elastic<R: Real>(input: &mut Input<'_>) -> Verdict {
+    let (modulus, radius) = (modulus::<R>(input)?, input.positive::<R>());
+    match input.below(3) {
+        0 => {
+            let ball = input.taken(HertzSphere::new(modulus, radius))?;
+            loaded(input, ball)
+        }
+        1 => {
+            let ball = AdhesiveSphere::new(modulus, radius, input.positive());
+            let ball = input.taken(ball)?;
+            input.give([ball.pull_off()]);
+            loaded(input, ball)
+        }
+        _ => {
+            let exponent = input.unit::<R>() / R::from_f64(3.0);
+            let finger = input.taken(SoftFinger::new(radius, exponent))?;
+            loaded(input, finger)
+        }
+    }
+}
+
+fn loaded<R: Real, A: LoadedRadius<R>>(input: &mut Input<'_>, area: A) -> Verdict {
+    let (load, motion) = (input.number::<R>(), twist::<R>(input));
+    let all = [area.radius(load), area.slope(load), area.growth(load)];
+    input.give([all[1], all[2]]);
+    if load.is_nan() {
+        return input.all_nan("radius under no number", all);
+    }
+    input.holds(
+        all[0] >= R::ZERO && all[1] >= R::ZERO,
+        "a patch grows",
+        &all,
+    )?;
+    input.finite("radius", [all[0]])?;
+    let friction = LoadedFriction::new(CoulombDisk, input.size::<R>(), area);
+    let friction = input.taken(friction)?;
+    let (wrench, slope) = (
+        friction.wrench(load, &motion),
+        friction.slope_by_load(load, &motion),
+    );
+    input.give(parts(&slope));
+    if let Ok(fixed) = input.taken(friction.at(load)) {
+        input.give([fixed.radius()]);
+    }
+    if load < R::ZERO {
+        input.give(parts(&wrench));
+        return Ok(());
+    }
+    dissipates(input, &wrench, &motion)
+}
+
+fn ellipse<R: Real>(input: &mut Input<'_>) -> Verdict {
+    let modulus = modulus::<R>(input)?;
+    let [a, b, c, d, angle] = [(); 5].map(|()| input.number::<R>());
+    input.give(relative_curvatures([a, b], [c, d], angle));
+    let curvatures = [input.positive::<R>(), input.positive()];
+    let patch = input.taken(HertzEllipse::new(modulus, curvatures))?;
+    let ratio = patch.axes_ratio();
+    input.holds(ratio > R::ZERO && ratio <= R::ONE, "0 < b/a ≤ 1", &[ratio])?;
+    let load = input.number::<R>();
+    let (axes, slopes) = (patch.semi_axes(load), patch.slopes(load));
+    input.give(slopes);
+    input.give([patch.growth(load)]);
+    input.finite("axes", axes)
 }
 
 fn pressures(input: &mut Input<'_>) -> Verdict {

@@ -15,7 +15,7 @@ use tribos_core::coupling::load_transfer::{
 use tribos_core::coupling::nodes::NodeFriction;
 use tribos_core::coupling::{LateralFriction, RoundFriction};
 use tribos_core::internals::leaning_wrench;
-use tribos_core::law::PowerLaw;
+use tribos_core::law::{PowerLaw, RestTime};
 use tribos_core::limit_surface::{LimitEllipsoid, RoundLimitSurface};
 use tribos_core::patch::nodes::{NodePatch, Nodes};
 use tribos_core::planar::{PlanarBody, PlanarStep, PointContacts};
@@ -213,9 +213,20 @@ pub fn steps<R: Real>(input: &mut Input<'_>) -> Verdict {
     } else {
         let set = LimitEllipsoid::new(force, radius, input.positive());
         let set = input.taken(set)?;
+        if input.one_in(2) {
+            return stepped(input, |body, twist, push, dt| {
+                body.step(&set, twist, push, dt)
+            });
+        }
+        let strength = input.size::<R>();
+        let mut rest = RestTime {
+            time: input.size::<R>(),
+        };
         stepped(input, |body, twist, push, dt| {
-            body.step(&set, twist, push, dt)
-        })
+            body.step_ageing(&set, |_| strength, &mut rest, twist, push, dt)
+        })?;
+        input.give([rest.time]);
+        Ok(())
     }
 }
 
@@ -262,8 +273,13 @@ pub fn feet<R: Real>(input: &mut Input<'_>) -> Verdict {
     let mut foot = input.taken(foot)?;
     if input.one_in(2) {
         return (0..STEPS).try_for_each(|_| {
+            let strength = input.size::<R>();
             stepped(input, |body, twist, push, dt| {
-                body.step_on_points(&mut foot, twist, push, dt)
+                if strength > R::ONE {
+                    body.step_sticking_on_points(&mut foot, strength, twist, push, dt)
+                } else {
+                    body.step_on_points(&mut foot, twist, push, dt)
+                }
             })
         });
     }

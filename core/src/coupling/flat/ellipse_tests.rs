@@ -6,11 +6,13 @@ use crate::coupling::coulomb::{CoulombDisk, CoulombHertz, CoulombParaboloid, Cou
 use crate::coupling::flat::ShapeFriction;
 use crate::coupling::{DryReducedFriction, RoundFriction};
 use crate::patch::PatchError;
+use crate::patch::affine_image::{AffineImage, AffineMap};
 use crate::patch::bar::Bar;
 use crate::patch::ellipse::{Ellipse, EllipsePressure};
 use crate::real::Real;
 use crate::special::CompleteElliptic;
 use crate::twist::{Twist, Wrench};
+use nalgebra::Vector2;
 use std::vec::Vec;
 
 const TABLE: &str = include_str!("../../../../tests/tables/ellipses.csv");
@@ -168,10 +170,13 @@ fn an_image_of_the_disk_is_moved_with_its_axes() {
         let moved = [
             Ellipse::with_half_diameters(turned(0.3, -0.2), oblique, pressure).unwrap(),
             moved
-                .mapped([
-                    [cos * cos + 0.25 * sin * sin, 0.75 * sin * cos],
-                    [0.75 * sin * cos, 0.25 * cos * cos + sin * sin],
-                ])
+                .image(&AffineMap {
+                    rows: [
+                        Vector2::new(cos * cos + 0.25 * sin * sin, 0.75 * sin * cos),
+                        Vector2::new(0.75 * sin * cos, 0.25 * cos * cos + sin * sin),
+                    ],
+                    shift: Vector2::zeros(),
+                })
                 .unwrap(),
         ];
         let place = moved[1].centre();
