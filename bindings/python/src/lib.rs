@@ -9,6 +9,7 @@ mod atoms;
 mod command;
 mod contact;
 mod fit;
+mod floor;
 mod friction;
 mod gradients;
 mod inverse;
@@ -49,6 +50,8 @@ mod _native {
     use contact::ContactLaw;
     #[pymodule_export]
     use fit::{fit_all_laws, fit_law, fit_laws, fit_support, fit_usage, predict_law};
+    #[pymodule_export]
+    use floor::Floor;
     #[pymodule_export]
     use friction::Friction;
     #[pymodule_export]

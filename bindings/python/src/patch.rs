@@ -2,7 +2,7 @@
 
 use crate::arrays::refused;
 use pyo3::prelude::*;
-use tribos::friction::Area;
+use tribos::friction::{Area, Coefficients};
 use tribos_core::patch::mesh::Vertex;
 use tribos_core::patch::nodes::Node;
 
@@ -40,6 +40,12 @@ impl Patch {
         let node = |[x, y, weight]: [f64; 3]| Node { x, y, weight };
         let nodes = points.into_iter().map(node).collect();
         Ok(Self(Area::points(nodes).map_err(refused)?))
+    }
+
+    /// The patch under friction that differs along an axis and across it, the axis at an angle in rad.
+    fn anisotropic(&self, mu: [f64; 2], axis: f64) -> PyResult<Self> {
+        let mu = Coefficients::along_and_across(mu, axis).map_err(refused)?;
+        Ok(Self(mu.on(self.0.clone()).map_err(refused)?))
     }
 
     /// Distance of the farthest point from the centre of pressure, in m.

@@ -4,7 +4,7 @@ use super::flat::Flat;
 use super::{Area, Coefficients, FrictionError};
 use tribos_core::contact::TimeStep;
 use tribos_core::floor::{Feet, FloorStep, Foot, SteadyState};
-use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
+use tribos_core::limit_surface::FrictionSet;
 use tribos_core::patch::affine_image::{AffineImage, AffineMap};
 use tribos_core::patch::feet::{CompoundPatch, PatchPart};
 use tribos_core::patch::piece::{HalfPlane, Piece};
@@ -224,15 +224,20 @@ impl Floor {
         self.with(|feet| feet.step(body, twist, push, dt))
     }
 
-    /// All wrenches that the feet carry together while body and surfaces move as one.
-    pub fn limit_surface(&self) -> Result<Box<dyn FrictionSet<f64> + Send + Sync>, FrictionError> {
+    /// All feet as one patch.
+    #[doc(hidden)]
+    pub fn area(&self) -> Result<Flat<f64>, FrictionError> {
         let part = |foot: &Foot<f64, Flat<f64>>| PatchPart {
             patch: foot.patch.clone(),
             load: foot.limit,
         };
         let parts: Vec<_> = self.feet.iter().map(part).collect();
-        let patch = CompoundPatch::new(parts)?;
-        Ok(Box::new(ShapeLimitSurface::new(patch, self.limit())?))
+        Ok(Flat::Feet(CompoundPatch::new(parts)?))
+    }
+
+    /// All wrenches that the feet carry together while body and surfaces move as one.
+    pub fn limit_surface(&self) -> Result<Box<dyn FrictionSet<f64> + Send + Sync>, FrictionError> {
+        Area::Flat(self.area()?).limit_surface(self.limit())
     }
 }
 

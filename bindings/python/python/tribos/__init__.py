@@ -17,6 +17,7 @@ from tribos import _command, _native, _patches, cd, md, scenes
 from tribos._any_pressure import AnyPressure, TorqueLimits, any_pressure
 from tribos._contact import Collision, ContactLaw, Plates, Spheres
 from tribos._fit import Compared, Estimate, LawFit, SupportFit, compare, fit, fit_support
+from tribos._floor import Feet, SteadyMotion, feet
 from tribos._friction import Friction
 from tribos._gradients import (
     PlanarStepBy,
@@ -70,6 +71,7 @@ __all__ = [
     "ContactForce",
     "ContactLaw",
     "Estimate",
+    "Feet",
     "FixedPoint",
     "Frame",
     "Frames",
@@ -103,6 +105,7 @@ __all__ = [
     "SolverReport",
     "Spheres",
     "State",
+    "SteadyMotion",
     "Step",
     "Strokes",
     "SupportFit",
@@ -112,6 +115,7 @@ __all__ = [
     "cases",
     "cd",
     "compare",
+    "feet",
     "fit",
     "fit_support",
     "fit_track",

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from typing import Any
 
+import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tribos import _native
+from tribos._checks import number, pair
+from tribos._floor import SteadyMotion, Surface, rows_of, steady
 from tribos._frozen import Frozen
 from tribos._laws import Law, law_of
-from tribos._patches import Patch
+from tribos._patches import Patch, anisotropic
 from tribos._plot import html, short
 from tribos._surface import LimitSurface
 
@@ -25,7 +29,10 @@ class Friction(Frozen):
     patch
         The contact patch: `tribos.disk`, `tribos.box`, ….
     mu
-        Coefficient of friction; of ``mu * speed**alpha`` if alpha is given, in (s/m)**alpha.
+        Coefficient of friction; of ``mu * speed**alpha`` if alpha is given, in (s/m)**alpha. Two of them, ``(mu_x,
+        mu_y)``, for dry friction that differs along x and y of the patch, or along an axis and across it.
+    axis
+        Angle from x to the axis of two coefficients, in rad.
     law
         A `Law`, or its name with parameters, in place of mu.
     alpha
@@ -62,15 +69,22 @@ class Friction(Frozen):
     def __init__(
         self,
         patch: Patch,
-        mu: float | None = None,
+        mu: float | Sequence[float] | None = None,
         *,
+        axis: float | None = None,
         law: Law | str | None = None,
         alpha: float | None = None,
         tier: str | None = None,
     ) -> None:
         if not isinstance(patch, Patch):
             raise ValueError(f"the patch must be made by tribos.disk and the like, not {patch!r}")
-        chosen = law_of(mu, law, alpha)
+        if mu is not None and np.ndim(mu) > 0:
+            along, across = pair("mu", mu)  # type: ignore[arg-type]
+            patch = patch if along == across else anisotropic(patch, (along, across), axis or 0.0)
+            mu = max(along, across)
+        elif axis is not None:
+            raise ValueError("axis goes with two coefficients: mu=(0.5, 0.9)")
+        chosen = law_of(mu, law, alpha)  # type: ignore[arg-type]
         handle = _native.Friction(patch._handle, chosen._handle, tier)
         self._keep(patch=patch, law=chosen, tier=tier, _handle=handle)
 
@@ -85,7 +99,14 @@ class Friction(Frozen):
             )
         return parameters["gamma" if dry else "mu"]
 
-    def wrench(self, twists: ArrayLike, load: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
+    def wrench(
+        self,
+        twists: ArrayLike,
+        load: ArrayLike,
+        *,
+        surface: Iterable[Surface] | None = None,
+        out: NDArray[Any] | None = None,
+    ) -> Any:
         """Force and torque on the body, against its motion.
 
         Parameters
@@ -94,6 +115,10 @@ class Friction(Frozen):
             Velocities in m/s and spins in rad/s, of shape (..., 3).
         load
             Normal force in N, at least 0, broadcast with the leading axes of the twists.
+        surface
+            Parts of the floor that move, in the coordinates of the body: pairs of a place and a twist. A place is the
+            corners of a convex polygon, of shape (n, 2), or two points of a border to whose left the surface lies. The
+            floor beside them is at rest, and the load one number.
         out
             An array of floats for the result.
 
@@ -101,11 +126,63 @@ class Friction(Frozen):
         -------
         numpy.ndarray
             Forces in N and torques in N m, of shape (..., 3). Zero at rest; NaN for NaN.
+
+        Examples
+        --------
+        A box whose halves lie on belts that run against each other is turned by ``mu * load * b / 4``:
+
+        >>> import tribos
+        >>> parcel = tribos.Friction(tribos.box(0.3, 0.2), mu=0.4)
+        >>> belts = [([[0, 0], [1, 0]], [0.5, 0, 0]), ([[1, 0], [0, 0]], [-0.5, 0, 0])]
+        >>> print(parcel.wrench([0, 0, 0], load=20.0, surface=belts).round(12))
+        [ 0.   0.  -0.4]
         """
+        if surface is not None:
+            return self._floor(load, surface).wrench(twists, out)
         return self._handle.wrench(twists, load, out)
 
+    def steady_motion(
+        self, load: float, surface: Iterable[Surface], push: ArrayLike = (0.0, 0.0, 0.0)
+    ) -> SteadyMotion:
+        """The motion in which friction of moving surfaces balances a push: the one that the body comes to.
+
+        Parameters
+        ----------
+        load
+            Normal force in N.
+        surface
+            Parts of the floor that move, as in `wrench`.
+        push
+            Force in N and torque in N m on the body, about the origin.
+
+        Raises
+        ------
+        ValueError
+            Where no motion is steady, because the push is more than friction carries.
+
+        Examples
+        --------
+        >>> import tribos
+        >>> parcel = tribos.Friction(tribos.box(0.3, 0.2), mu=0.4)
+        >>> belts = [([[0, 0], [1, 0]], [0.5, 0, 0]), ([[1, 0], [0, 0]], [-0.5, 0, 0])]
+        >>> round(float(parcel.steady_motion(20.0, belts).twist[2]), 4)    # rad/s
+        -2.6103
+        """
+        return steady(self._floor(load, surface), push)
+
+    def _floor(self, load: ArrayLike, surface: Iterable[Surface]) -> _native.Floor:
+        newtons = number("load", load)
+        if newtons < 0.0:
+            raise ValueError(f"load must be >= 0, not {load!r}")
+        return _native.Floor.under(self.patch._handle, self.mu, newtons, rows_of(surface))
+
     def jacobian(
-        self, twists: ArrayLike, load: ArrayLike, *, out: NDArray[Any] | None = None
+        self,
+        twists: ArrayLike,
+        load: ArrayLike,
+        *,
+        surface: Iterable[Surface] | None = None,
+        out: NDArray[Any] | None = None,
     ) -> Any:
         """Derivatives of `wrench` with respect to the twist, of shape (..., 3, 3), symmetric.
 
@@ -121,6 +198,8 @@ class Friction(Frozen):
         >>> bool(abs(jacobian @ [1.0, 0.0, 20.0]).max() < 1e-14)    # twice as fast: the same friction
         True
         """
+        if surface is not None:
+            return self._floor(load, surface).jacobian(twists, out)
         return self._handle.jacobian(twists, load, out)
 
     def limit_surface(self, load: ArrayLike) -> LimitSurface:

@@ -19,10 +19,14 @@ Parameters = tuple[tuple[str, Any], ...]
 __all__ = [
     "Patch",
     "annulus",
+    "anisotropic",
     "bar",
+    "bolts",
     "box",
     "disk",
+    "ellipse",
     "hertz",
+    "hertz_ellipse",
     "mesh",
     "paraboloid",
     "points",
@@ -40,8 +44,9 @@ MAKERS = __all__[1:]
 class Patch(Frozen):
     """A contact patch: its shape and how it spreads the load.
 
-    Made by `disk`, `ring`, `annulus`, `hertz`, `punch`, `paraboloid`, `power`, `polynomial`,
-    `polygon`, `box`, `bar`, `mesh` and `points`. Immutable, comparable and picklable.
+    Made by `disk`, `ring`, `annulus`, `hertz`, `punch`, `paraboloid`, `power`, `polynomial`, `ellipse`,
+    `hertz_ellipse`, `polygon`, `box`, `bar`, `mesh`, `points`, `bolts` and `anisotropic`. Immutable, comparable and
+    picklable.
 
     Attributes
     ----------
@@ -106,6 +111,13 @@ def outline(patch: Patch) -> list[list[list[float]]]:
     """Loops of corners in m: of straight edges the outer one first, of a bar both ends, of a mesh its
     triangles; none for points and patches with an axis."""
     given = dict(patch._parameters)
+    if patch.kind == "anisotropic":
+        return outline(given["patch"])
+    if patch.kind in ("ellipse", "hertz_ellipse"):
+        turns = np.linspace(0.0, 2.0 * np.pi, 96, endpoint=False)
+        return [
+            np.stack([given["a"] * np.cos(turns), given["b"] * np.sin(turns)], axis=-1).tolist()
+        ]
     if patch.kind == "box":
         x, y = 0.5 * given["a"], 0.5 * given["b"]
         return [[[-x, -y], [x, -y], [x, y], [-x, y]]]
@@ -378,6 +390,89 @@ def points(positions: ArrayLike, weights: ArrayLike | None = None) -> Patch:
     if weights is not None:
         parameters += (("weights", tuple(values[:, 0].tolist())),)
     return Patch("points", parameters, native)
+
+
+def bolts(count: int, radius: float) -> Patch:
+    """Bolts that share the load evenly on a circle about the origin, the first one on the x axis.
+
+    Parameters
+    ----------
+    count
+        How many, at least 2.
+    radius
+        Radius of their circle, in m.
+
+    Examples
+    --------
+    >>> import tribos
+    >>> flange = tribos.Friction(tribos.bolts(6, 0.05), mu=0.15)
+    >>> round(-float(flange.wrench([0.0, 0.0, 1.0], load=60e3)[2]), 6)    # N m
+    450.0
+    """
+    length, many = positive("radius", radius), int(count)
+    native = _native.Patch.named(f"bolts:{many}x{length!r}", 1.0)
+    return Patch("bolts", (("count", many), ("radius", length)), native)
+
+
+def ellipse(a: float, b: float) -> Patch:
+    """An ellipse about the origin under uniform pressure.
+
+    Parameters
+    ----------
+    a, b
+        Semi-axes along x and y, in m, of which one is at most 1e6 times the other one.
+    """
+    return _elliptic("ellipse", "ellipse", a, b)
+
+
+def hertz_ellipse(a: float, b: float) -> Patch:
+    """An ellipse under the pressure of curved elastic bodies, ``sqrt(1 - rho**2)``: a wheel on a rail, a ball in its race.
+
+    Parameters
+    ----------
+    a, b
+        Semi-axes along x and y, in m, of which one is at most 1e6 times the other one.
+
+    Examples
+    --------
+    >>> import tribos
+    >>> ball = tribos.Friction(tribos.hertz_ellipse(1.2e-3, 0.2e-3), mu=0.08)
+    >>> print(ball.wrench([0.0, 0.0, 30.0], load=400.0).round(7))       # 3/8 mu Q a E(e)
+    [ 0.         0.        -0.0148994]
+    """
+    return _elliptic("hertz_ellipse", "hertz-ellipse", a, b)
+
+
+def _elliptic(kind: str, text: str, a: float, b: float) -> Patch:
+    x, y = positive("a", a), positive("b", b)
+    return Patch(kind, (("a", x), ("b", y)), _native.Patch.named(f"{text}:{x!r}x{y!r}", 1.0))
+
+
+def anisotropic(patch: Patch, mu: Pair, axis: float = 0.0) -> Patch:
+    """A patch under friction that differs along two axes, which are fixed to it.
+
+    `Friction` makes it of two coefficients; the larger one is the coefficient of its friction.
+
+    Parameters
+    ----------
+    patch
+        A polygon, box, bar, mesh, points, bolts, ellipse, disk, hertz, punch or paraboloid.
+    mu
+        Coefficients along the axis and across it, both above 0; only their ratio counts.
+    axis
+        Angle from x to the axis, in rad.
+    """
+    along, across = pair("mu", mu)
+    angle = number("axis", axis)
+    native = patch._handle.anisotropic((along, across), angle)
+    parameters: Parameters = (("patch", patch), ("mu", (along, across)), ("axis", angle))
+    return Patch("anisotropic", parameters, native)
+
+
+def feet_patch(feet: tuple[Any, ...]) -> Patch:
+    """Several feet as one patch."""
+    native = _native.Floor.feet([(foot[0]._handle, *foot[1:]) for foot in feet]).patch()
+    return Patch("feet_patch", (("feet", feet),), native)
 
 
 def _frozen(rows: np.ndarray[Any, np.dtype[np.float64]]) -> tuple[tuple[float, ...], ...]:
