@@ -42,7 +42,7 @@ pub fn polygons<R: Real>(input: &mut Input<'_>) -> Verdict {
 }
 
 /// A place that is not far from the origin in units of `size`.
-fn near<R: Real>(input: &mut Input<'_>, size: R) -> [R; 2] {
+pub fn near<R: Real>(input: &mut Input<'_>, size: R) -> [R; 2] {
     [(); 2].map(|()| size * R::from_f64(4.0 * input.unit::<f64>() - 2.0))
 }
 
@@ -221,7 +221,7 @@ const DIRECTIONS: [[f64; 2]; 8] = [
     [0.75, -0.75],
 ];
 
-fn placed<R: Real>(input: &mut Input<'_>, centre: &nalgebra::Vector2<R>, radius: R) -> Verdict {
+pub fn placed<R: Real>(input: &mut Input<'_>, centre: &nalgebra::Vector2<R>, radius: R) -> Verdict {
     let fine = centre.x.is_finite() && centre.y.is_finite() && radius.is_finite();
     input.holds(
         fine && radius > R::ZERO,
@@ -266,7 +266,7 @@ fn borne_if_mild<R: Real>(input: &mut Input<'_>, patch: &impl PatchShape<R>) -> 
 }
 
 /// Friction at any motion, or the set of what is carried.
-fn borne<R: Real>(input: &mut Input<'_>, patch: &impl PatchShape<R>) -> Verdict {
+pub fn borne<R: Real>(input: &mut Input<'_>, patch: &impl PatchShape<R>) -> Verdict {
     if input.one_in(2) {
         return rubs(input, patch);
     }
@@ -276,7 +276,7 @@ fn borne<R: Real>(input: &mut Input<'_>, patch: &impl PatchShape<R>) -> Verdict 
 }
 
 /// Friction at any motion.
-fn rubs<R: Real>(input: &mut Input<'_>, patch: &impl PatchShape<R>) -> Verdict {
+pub fn rubs<R: Real>(input: &mut Input<'_>, patch: &impl PatchShape<R>) -> Verdict {
     let friction = ShapeFriction::new(patch, input.size::<R>());
     let friction = input.taken(friction)?;
     let coefficient = friction.coefficient();
