@@ -154,7 +154,7 @@ fn feet<R: Real>(input: &mut Input<'_>) -> Verdict {
             let left = rest.x.hypot(rest.y);
             // Next to the motion of a surface the sliding over it is lost in rounding.
             let extent = |twist: &Twist<R>| twist.speed() + twist.spin.abs() * size;
-            let mut lost = R::EPSILON.sqrt();
+            let mut lost = R::TWO * R::EPSILON.sqrt();
             let slides = |foot: &&Foot<R, _>| foot.limit > R::ZERO && foot.surface != found.twist;
             for foot in all.iter().filter(slides) {
                 let sizes = extent(&found.twist) + extent(&foot.surface);

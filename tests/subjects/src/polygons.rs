@@ -30,7 +30,8 @@ pub fn polygons<R: Real>(input: &mut Input<'_>) -> Verdict {
             let ends = [(); 2].map(|()| [input.number::<R>(), input.number()]);
             let bar = input.taken(Bar::new(ends[0], ends[1]))?;
             placed(input, &bar.centre(), bar.radius())?;
-            rubs(input, &bar)
+            rubs(input, &bar)?;
+            tilted(input, bar)
         }
         2 => blade::<R>(input),
         3 => faces::<R>(input),
@@ -83,6 +84,19 @@ fn blade<R: Real>(input: &mut Input<'_>) -> Verdict {
     let set = ShapeLimitSurface::new(bar, input.size());
     let set = input.taken(set)?;
     asked(input, &set)
+}
+
+/// The same under linear pressure, if it carries it.
+fn tilted<R: Real>(input: &mut Input<'_>, bar: Bar<R>) -> Verdict {
+    let part = R::from_f64(2.4 * input.unit::<f64>() - 1.2);
+    let made = match input.below(3) {
+        0 => bar.with_slope(part / bar.radius()),
+        1 => bar.with_centre_of_pressure(part * bar.radius() / R::from_f64(3.0)),
+        _ => bar.with_slope(input.number()),
+    };
+    let wedge = input.taken(made)?;
+    placed(input, &wedge.centre(), wedge.radius())?;
+    rubs(input, &wedge)
 }
 
 /// Triangles anywhere, or around a middle.
