@@ -1,6 +1,7 @@
 //! The subcommands, one module each.
 
 pub(crate) mod bodies;
+mod coefficients;
 mod completion;
 mod completions;
 mod contact;
@@ -66,7 +67,7 @@ pub fn program() -> clap::Command {
 }
 
 /// What `--help` of a command begins with: the documentation of its arguments.
-fn documentation() -> [(&'static str, StyledStr); 21] {
+fn documentation() -> [(&'static str, StyledStr); 22] {
     fn of<A: clap::Args>() -> StyledStr {
         let command = A::augment_args(clap::Command::new(""));
         let text = command.get_long_about().or(command.get_about());
@@ -76,6 +77,7 @@ fn documentation() -> [(&'static str, StyledStr); 21] {
         ("wrench", of::<wrench::Arguments>()),
         ("surface", of::<surface::Arguments>()),
         ("hold", of::<hold::Arguments>()),
+        ("coefficients", of::<coefficients::Arguments>()),
         ("onset", of::<onset::Arguments>()),
         ("push", of::<push::Arguments>()),
         ("modes", of::<modes::Arguments>()),
@@ -130,6 +132,8 @@ pub enum Command {
     Surface(surface::Arguments),
     /// Whether a push moves a body at rest: holds, slips or undecided, with margins.
     Hold(hold::Arguments),
+    /// Torsional coefficients for engines that fit a patch best, and the error that remains.
+    Coefficients(coefficients::Arguments),
     /// Onset of sliding: what bonds hold under force and torque before the body slides.
     Onset(onset::Arguments),
     /// A body that a pusher moves over the floor: sticking or sliding, motion cone, path.
@@ -179,6 +183,7 @@ impl Command {
             Self::Wrench(arguments) => arguments.execute(),
             Self::Surface(arguments) => arguments.execute(),
             Self::Hold(arguments) => arguments.execute(),
+            Self::Coefficients(arguments) => arguments.execute(),
             Self::Onset(arguments) => arguments.execute(),
             Self::Push(arguments) => arguments.execute(),
             Self::Modes(arguments) => arguments.execute(),
