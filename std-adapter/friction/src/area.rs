@@ -115,7 +115,8 @@ impl<R: Precision> Area<R> {
     }
 
     /// The area as one of any shape.
-    pub(super) fn into_flat(self) -> Result<Flat<R>, FrictionError> {
+    #[doc(hidden)]
+    pub fn into_flat(self) -> Result<Flat<R>, FrictionError> {
         match self {
             Self::Flat(flat) => Ok(flat),
             Self::Round(patch, radius) => {
