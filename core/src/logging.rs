@@ -15,6 +15,7 @@ use crate::limit_surface::{
     FrictionSet, LimitEllipsoid, RoundLimitSurface, ShapeLimitSurface, UnknownPressureSet,
 };
 use crate::patch::bar::Bar;
+use crate::patch::ellipse::Ellipse;
 use crate::patch::feet::{CompoundPatch, PatchPart};
 use crate::patch::mesh::{Mesh, Triangle};
 use crate::patch::nodes::{NodeBuffer, NodeList, NodePatch, NodeSlice};
@@ -108,7 +109,9 @@ formats! {
     [R: Real + Format, P: PatchShape<R>, S: AsRef<[PatchPart<R, P>]>] CompoundPatch<R, P, S>: |f|
         "{} feet, radius {}", f.feet().len(), f.radius();
     [R: Real + Format] PointLoad<R>: |p| "share {} at [{}, {}]", p.share, p.place.x, p.place.y;
-    [R: Real + Format] Bar<R>: |b| "bar of half length {}", b.radius();
+    [R: Real + Format, K: PressureField<R>] Bar<R, K>: |b| "bar, radius {}", b.radius();
+    [R: Real + Format] Ellipse<R>: |e| "ellipse of semi-axes [{}, {}], pressure {}",
+        e.semi_axes()[0], e.semi_axes()[1], e.pressure();
     [R: Real + Format, P: PatchShape<R>] ShapeLimitSurface<R, P>: |s|
         "limit surface of force {}, torque {}, radius {}",
         s.force_limit(), s.torque_limit(), s.radius();

@@ -108,7 +108,7 @@ where
     }
 }
 
-impl<R: Real> AffineImage<R> for Bar<R> {
+impl<R: Real, K: PressureField<R>> AffineImage<R> for Bar<R, K> {
     fn image(self, map: &AffineMap<R>) -> Option<Self> {
         Some(self.moved(map))
     }

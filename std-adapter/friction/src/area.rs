@@ -65,6 +65,10 @@ impl<R: Precision> Area<R> {
         if !patch.has_axis() {
             return Err(FrictionError::NoAxis);
         }
+        if let Patch::WornAnnulus(_) = &patch {
+            let made = RoundPatch::new(DryRound::new(&patch)?, [R::ZERO; 2], radius)?;
+            return Ok(Self::Flat(Flat::Round(Box::new(made))));
+        }
         if let Patch::Polynomial(coefficients) = &patch {
             // Refuses what is negative anywhere.
             polynomial(coefficients)?;

@@ -60,6 +60,8 @@ pub enum Flat<R: Precision> {
     Leaning(Polygon<R, Vec<Edge<R>>, LinearPressure<R>>),
     /// Without an area.
     Bar(Bar<R>),
+    /// The same under linear pressure.
+    LeaningBar(Bar<R, LinearPressure<R>>),
     /// Of triangles, each under linear pressure.
     Mesh(Mesh<R, Vec<Triangle<R>>>),
     /// Points with weights.
@@ -161,10 +163,20 @@ impl FlatPatch {
                 return Ok(Flat::Mesh(mesh(path)?));
             }
             Self::Bar(length) => {
-                own("a bar carries its load evenly")?;
                 let half = 0.5 * length;
                 let bar = Bar::new(narrow([-half, 0.0]), narrow([half, 0.0]));
-                return Ok(Flat::Bar(bar.map_err(tribos_core::Error::from)?));
+                let bar = bar.map_err(tribos_core::Error::from)?;
+                return match centre {
+                    None => Ok(Flat::Bar(bar)),
+                    Some([x, 0.0]) if x.abs() <= length / 6.0 => {
+                        let bar = bar.with_centre_of_pressure(R::from_f64(x));
+                        Ok(Flat::LeaningBar(bar.map_err(tribos_core::Error::from)?))
+                    }
+                    Some(_) => Err(FrictionError::Syntax(format!(
+                        "the centre of pressure of a bar lies in its middle third: give X,0 with |X| <= {}",
+                        length / 6.0
+                    ))),
+                };
             }
             Self::Bolts(count, radius) => {
                 own("bolts share the load evenly")?;
@@ -265,6 +277,10 @@ impl<R: Precision> Flat<R> {
             Self::Polygon(patch) => patch.radius_of_gyration(),
             Self::Leaning(patch) => patch.radius_of_gyration(),
             Self::Bar(bar) => bar.radius() / R::from_f64(3.0).sqrt(),
+            Self::LeaningBar(bar) => {
+                let [[x, y], [to_x, to_y]] = bar.ends();
+                (to_x - x).hypot(to_y - y) / R::from_f64(12.0).sqrt()
+            }
             Self::Round(patch) => patch.radius() / R::TWO.sqrt(),
             Self::Mesh(_)
             | Self::Points(_)
@@ -286,6 +302,7 @@ macro_rules! each {
             Flat::Polygon($patch) => $answer,
             Flat::Leaning($patch) => $answer,
             Flat::Bar($patch) => $answer,
+            Flat::LeaningBar($patch) => $answer,
             Flat::Mesh($patch) => $answer,
             Flat::Points($patch) => $answer,
             Flat::Ellipse($patch) => $answer,

@@ -4,7 +4,6 @@ use super::flat::Flat;
 use super::surface::DryRound;
 use super::{FrictionError, OwnedNodes, Precision};
 use tribos_core::patch::affine_image::{AffineImage, AffineMap, image_of};
-use tribos_core::patch::bar::Bar;
 use tribos_core::patch::ellipse::{Ellipse, EllipsePressure};
 use tribos_core::patch::feet::{CompoundPatch, PatchPart};
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
@@ -21,6 +20,7 @@ impl<R: Precision> AffineImage<R> for Flat<R> {
             Self::Polygon(patch) => Self::Polygon(patch.image(map)?),
             Self::Leaning(patch) => Self::Leaning(patch.image(map)?),
             Self::Bar(patch) => Self::Bar(patch.image(map)?),
+            Self::LeaningBar(patch) => Self::LeaningBar(patch.image(map)?),
             Self::Mesh(patch) => Self::Mesh(patch.image(map)?),
             Self::Points(patch) => Self::Points(patch.moved(map, |nodes| nodes.moved(map))),
             Self::Ellipse(patch) => Self::Ellipse(patch.image(map)?),
@@ -98,7 +98,8 @@ impl<R: Precision> Flat<R> {
                     .map_err(tribos_core::Error::from)?;
                 piece.map(|piece| of(piece, Self::Leaning))
             }
-            Self::Bar(bar) => bar_within(bar, side)?,
+            Self::Bar(bar) => bar.within(side).map(|piece| of(piece, Self::Bar)),
+            Self::LeaningBar(bar) => bar.within(side).map(|piece| of(piece, Self::LeaningBar)),
             Self::Mesh(mesh) => mesh_within(mesh, side)?,
             Self::Points(points) => points_within(points, side)?,
             Self::Ellipse(patch) => ellipse_within(patch, side)?,
@@ -127,33 +128,6 @@ impl<R: Precision> Flat<R> {
             }
         })
     }
-}
-
-/// The part of a bar on one side.
-fn bar_within<R: Precision>(
-    bar: &Bar<R>,
-    side: &HalfPlane<R>,
-) -> Result<Option<Piece<R, Flat<R>>>, FrictionError> {
-    let [from, to] = bar.ends();
-    let whole = |share| Piece {
-        patch: Flat::Bar(*bar),
-        share,
-    };
-    let Some(at) = side.crossing([from, to]) else {
-        return Ok(side.contains(from).then(|| whole(R::ONE)));
-    };
-    let met = [0, 1].map(|i| from[i] + (to[i] - from[i]) * at);
-    let (ends, share) = if side.contains(from) {
-        ([from, met], at)
-    } else {
-        ([met, to], R::ONE - at)
-    };
-    // A piece that is lost in rounding is none.
-    let piece = Bar::new(ends[0], ends[1]).ok().filter(|_| share > R::ZERO);
-    Ok(piece.map(|bar| Piece {
-        patch: Flat::Bar(bar),
-        share,
-    }))
 }
 
 /// The triangles, and parts of triangles, on one side.

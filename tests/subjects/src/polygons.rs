@@ -30,7 +30,8 @@ pub fn polygons<R: Real>(input: &mut Input<'_>) -> Verdict {
             let ends = [(); 2].map(|()| [input.number::<R>(), input.number()]);
             let bar = input.taken(Bar::new(ends[0], ends[1]))?;
             placed(input, &bar.centre(), bar.radius())?;
-            rubs(input, &bar)
+            rubs(input, &bar)?;
+            tilted(input, bar)
         }
         2 => blade::<R>(input),
         3 => faces::<R>(input),
@@ -42,7 +43,7 @@ pub fn polygons<R: Real>(input: &mut Input<'_>) -> Verdict {
 }
 
 /// A place that is not far from the origin in units of `size`.
-fn near<R: Real>(input: &mut Input<'_>, size: R) -> [R; 2] {
+pub fn near<R: Real>(input: &mut Input<'_>, size: R) -> [R; 2] {
     [(); 2].map(|()| size * R::from_f64(4.0 * input.unit::<f64>() - 2.0))
 }
 
@@ -83,6 +84,19 @@ fn blade<R: Real>(input: &mut Input<'_>) -> Verdict {
     let set = ShapeLimitSurface::new(bar, input.size());
     let set = input.taken(set)?;
     asked(input, &set)
+}
+
+/// The same under linear pressure, if it carries it.
+fn tilted<R: Real>(input: &mut Input<'_>, bar: Bar<R>) -> Verdict {
+    let part = R::from_f64(2.4 * input.unit::<f64>() - 1.2);
+    let made = match input.below(3) {
+        0 => bar.with_slope(part / bar.radius()),
+        1 => bar.with_centre_of_pressure(part * bar.radius() / R::from_f64(3.0)),
+        _ => bar.with_slope(input.number()),
+    };
+    let wedge = input.taken(made)?;
+    placed(input, &wedge.centre(), wedge.radius())?;
+    rubs(input, &wedge)
 }
 
 /// Triangles anywhere, or around a middle.
@@ -221,7 +235,7 @@ const DIRECTIONS: [[f64; 2]; 8] = [
     [0.75, -0.75],
 ];
 
-fn placed<R: Real>(input: &mut Input<'_>, centre: &nalgebra::Vector2<R>, radius: R) -> Verdict {
+pub fn placed<R: Real>(input: &mut Input<'_>, centre: &nalgebra::Vector2<R>, radius: R) -> Verdict {
     let fine = centre.x.is_finite() && centre.y.is_finite() && radius.is_finite();
     input.holds(
         fine && radius > R::ZERO,
@@ -266,7 +280,7 @@ fn borne_if_mild<R: Real>(input: &mut Input<'_>, patch: &impl PatchShape<R>) -> 
 }
 
 /// Friction at any motion, or the set of what is carried.
-fn borne<R: Real>(input: &mut Input<'_>, patch: &impl PatchShape<R>) -> Verdict {
+pub fn borne<R: Real>(input: &mut Input<'_>, patch: &impl PatchShape<R>) -> Verdict {
     if input.one_in(2) {
         return rubs(input, patch);
     }
@@ -276,7 +290,7 @@ fn borne<R: Real>(input: &mut Input<'_>, patch: &impl PatchShape<R>) -> Verdict 
 }
 
 /// Friction at any motion.
-fn rubs<R: Real>(input: &mut Input<'_>, patch: &impl PatchShape<R>) -> Verdict {
+pub fn rubs<R: Real>(input: &mut Input<'_>, patch: &impl PatchShape<R>) -> Verdict {
     let friction = ShapeFriction::new(patch, input.size::<R>());
     let friction = input.taken(friction)?;
     let coefficient = friction.coefficient();

@@ -1,7 +1,7 @@
 //! Gauss' rule on panels that keep clear of known places in the complex plane.
 
 use crate::real::Real;
-use crate::special::legendre::{FEW_HALF, HALF};
+use crate::special::legendre::each_node;
 
 /// A complex number; of a pair of conjugates the one above the real axis.
 #[derive(Clone, Copy, Debug)]
@@ -122,20 +122,5 @@ impl<R: Real, const N: usize> Panels<R, N> {
         keep(&Complex::new(R::ZERO, R::ONE));
         self.marks.iter().for_each(&mut keep);
         length
-    }
-}
-
-/// Nodes and weights on [−1, 1].
-#[inline(always)]
-fn each_node<R: Real>(mut visit: impl FnMut(R, R)) {
-    let mut both = |[node, weight]: [f64; 2]| {
-        let (node, weight) = (R::from_f64(node), R::from_f64(weight));
-        visit(-node, weight);
-        visit(node, weight);
-    };
-    if R::IS_SINGLE {
-        FEW_HALF.into_iter().for_each(&mut both);
-    } else {
-        HALF.into_iter().for_each(&mut both);
     }
 }
