@@ -1,5 +1,5 @@
 /// Files of `src/double`, in the order of the header.
-const MODULES: [&str; 13] = [
+const MODULES: [&str; 16] = [
     "vectors",
     "law",
     "patch",
@@ -8,8 +8,11 @@ const MODULES: [&str; 13] = [
     "surface",
     "polygon",
     "patch_surface",
+    "piece",
+    "shape",
     "slider",
     "planar",
+    "feet",
     "batch",
     "contact",
     "update",

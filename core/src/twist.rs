@@ -21,6 +21,7 @@ use nalgebra::{Matrix3, Vector2};
 /// assert!(at(-4.0 / 20.0, 3.0 / 20.0).amax() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Twist<R: Real> {
     /// Sliding velocity of the patch centre.
     pub velocity: Vector2<R>,

@@ -399,6 +399,7 @@ static void LOCAL(surfaces)(struct stream *s, enum range range)
 }
 
 #include "digest_polygons.h"
+#include "digest_shapes.h"
 #include "digest_surfaces.h"
 
 static void LOCAL(steps)(struct stream *s, enum range range)
@@ -591,6 +592,7 @@ static void LOCAL(all)(struct stream *s)
         LOCAL(powers)(s);
         LOCAL(rules)(s);
         LOCAL(polygons)(s, n % 2 ? WIDE : MILD);
+        LOCAL(shapes)(s, n % 2 ? WIDE : MILD);
         LOCAL(ways)(s, n % 8 == 0);
     }
 }

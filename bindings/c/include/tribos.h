@@ -61,11 +61,13 @@ enum tribos_status
   TRIBOS_STATUS_PRESSURE_ORDER = 21,
   // The inner over the outer radius of an annulus is not between 0 and 0.999999.
   TRIBOS_STATUS_INNER_RATIO = 22,
+  // A semi-axis is not positive and finite, or one is more than 1e6 times as long as the other.
+  TRIBOS_STATUS_SEMI_AXES = 23,
   // A node has a position that is not finite.
   TRIBOS_STATUS_NODE_POSITION = 30,
   // A node's weight is negative or NaN, or makes the sum infinite.
   TRIBOS_STATUS_NODE_WEIGHT = 31,
-  // No node carries load.
+  // No node, or no foot, carries load.
   TRIBOS_STATUS_UNLOADED = 32,
   // The nodes do not fit into the given memory.
   TRIBOS_STATUS_FULL = 33,
@@ -87,6 +89,8 @@ enum tribos_status
   TRIBOS_STATUS_LEANS = 41,
   // Edges of a polygon touch or cross, a hole lies outside, or a loop has no area.
   TRIBOS_STATUS_OUTLINE = 42,
+  // The patch has two coefficients already.
+  TRIBOS_STATUS_AXES = 43,
   // The force limit is negative, infinite or NaN.
   TRIBOS_STATUS_FORCE_LIMIT = 50,
   // The reduced torque of pure spinning is not positive and finite.
@@ -97,9 +101,13 @@ enum tribos_status
   TRIBOS_STATUS_INERTIA = 61,
   // The motion does not come to rest, or is not finite.
   TRIBOS_STATUS_NO_REST = 62,
+  // The push is more than friction of all feet carries: no motion is steady.
+  TRIBOS_STATUS_ACCELERATES = 63,
+  // The search for a steady motion ended before friction balanced the push, or the push is NaN.
+  TRIBOS_STATUS_MISSED = 64,
   // There is no normal: centres coincide, or one lies in the plate.
   TRIBOS_STATUS_NO_NORMAL = 70,
-  // A position or radius is not finite, or a radius is not positive.
+  // A position, a radius or the motion of a surface is not finite, or a radius is not positive.
   TRIBOS_STATUS_NOT_FINITE = 71,
   // A time step is not positive and finite.
   TRIBOS_STATUS_TIME_STEP = 72,
@@ -128,6 +136,29 @@ enum tribos_attraction
 typedef enum tribos_attraction tribos_attraction;
 #else
 typedef uint32_t tribos_attraction;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+// How pressure is spread over a disk or an ellipse, with rho from 0 at its centre to 1 on its edge.
+enum tribos_pressure
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  // 1/sqrt(1 - rho^2): a rigid flat punch on an elastic body.
+  TRIBOS_PRESSURE_FLAT_PUNCH = 0,
+  // The same everywhere.
+  TRIBOS_PRESSURE_UNIFORM = 1,
+  // sqrt(1 - rho^2): curved elastic bodies.
+  TRIBOS_PRESSURE_HERTZ = 2,
+  // 1 - rho^2
+  TRIBOS_PRESSURE_PARABOLOID = 3,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum tribos_pressure tribos_pressure;
+#else
+typedef uint32_t tribos_pressure;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
@@ -345,6 +376,15 @@ typedef struct tribos_polygon_f64 {
   double slope_y;
 } tribos_polygon_f64;
 
+// A patch of any shape, built by one of the functions tribos_shape_. Its content is opaque. It may be copied
+// and moved, but not to a program with another version of the library.
+typedef struct tribos_shape_f64 {
+  // Internal data.
+  uint64_t opaque[24];
+  // Marker of a completed build.
+  uint32_t built;
+} tribos_shape_f64;
+
 // A sliding body; all parameters are positive and finite.
 typedef struct tribos_slider_f64 {
   // Deceleration of pure sliding, mu x gravity.
@@ -408,6 +448,42 @@ typedef struct tribos_planar_step_f64 {
   // 1 if friction holds the body: the motion is zero, to the last bit. 0 else.
   uint32_t is_at_rest;
 } tribos_planar_step_f64;
+
+// A foot, the friction that it carries, and how its surface moves. Under a wheel or tread that a body drives
+// backwards with the speed c the surface moves with (c, 0, 0).
+typedef struct tribos_foot_f64 {
+  // Its patch, in the coordinates of the body.
+  const struct tribos_shape_f64 *shape;
+  // Its coefficient, the larger one of two, times its load; finite and not negative.
+  double limit;
+  // Motion of the surface under it, about the origin of the body's coordinates; finite.
+  struct tribos_twist_f64 surface;
+} tribos_foot_f64;
+
+// A motion under which friction balances a push.
+typedef struct tribos_steady_motion_f64 {
+  // Motion of the body.
+  struct tribos_twist_f64 twist;
+  // Friction of all feet.
+  struct tribos_wrench_f64 friction;
+  // The first foot of those that rest on their surface: the twist is that of the surface, to the last bit. The
+  // number of feet where all slide.
+  size_t carried_by;
+  // How often friction of all feet was evaluated.
+  size_t evaluations;
+} tribos_steady_motion_f64;
+
+// The end of a time step on feet.
+typedef struct tribos_floor_step_f64 {
+  // The motion after the step.
+  struct tribos_twist_f64 twist;
+  // Friction of all feet, as its mean over the step.
+  struct tribos_wrench_f64 friction;
+  // As in tribos_steady_motion_f64, at the end of the step.
+  size_t carried_by;
+  // What the search has left of the balance of momentum, over all limits: some rounding errors.
+  double imbalance;
+} tribos_floor_step_f64;
 
 // A vector in three dimensions.
 typedef struct tribos_vector_f64 {
@@ -724,6 +800,15 @@ typedef struct tribos_polygon_f32 {
   float slope_y;
 } tribos_polygon_f32;
 
+// A patch of any shape, built by one of the functions tribos_shape_. Its content is opaque. It may be copied
+// and moved, but not to a program with another version of the library.
+typedef struct tribos_shape_f32 {
+  // Internal data.
+  uint64_t opaque[24];
+  // Marker of a completed build.
+  uint32_t built;
+} tribos_shape_f32;
+
 // A sliding body; all parameters are positive and finite.
 typedef struct tribos_slider_f32 {
   // Deceleration of pure sliding, mu x gravity.
@@ -787,6 +872,42 @@ typedef struct tribos_planar_step_f32 {
   // 1 if friction holds the body: the motion is zero, to the last bit. 0 else.
   uint32_t is_at_rest;
 } tribos_planar_step_f32;
+
+// A foot, the friction that it carries, and how its surface moves. Under a wheel or tread that a body drives
+// backwards with the speed c the surface moves with (c, 0, 0).
+typedef struct tribos_foot_f32 {
+  // Its patch, in the coordinates of the body.
+  const struct tribos_shape_f32 *shape;
+  // Its coefficient, the larger one of two, times its load; finite and not negative.
+  float limit;
+  // Motion of the surface under it, about the origin of the body's coordinates; finite.
+  struct tribos_twist_f32 surface;
+} tribos_foot_f32;
+
+// A motion under which friction balances a push.
+typedef struct tribos_steady_motion_f32 {
+  // Motion of the body.
+  struct tribos_twist_f32 twist;
+  // Friction of all feet.
+  struct tribos_wrench_f32 friction;
+  // The first foot of those that rest on their surface: the twist is that of the surface, to the last bit. The
+  // number of feet where all slide.
+  size_t carried_by;
+  // How often friction of all feet was evaluated.
+  size_t evaluations;
+} tribos_steady_motion_f32;
+
+// The end of a time step on feet.
+typedef struct tribos_floor_step_f32 {
+  // The motion after the step.
+  struct tribos_twist_f32 twist;
+  // Friction of all feet, as its mean over the step.
+  struct tribos_wrench_f32 friction;
+  // As in tribos_steady_motion_f32, at the end of the step.
+  size_t carried_by;
+  // What the search has left of the balance of momentum, over all limits: some rounding errors.
+  float imbalance;
+} tribos_floor_step_f32;
 
 // A vector in three dimensions.
 typedef struct tribos_vector_f32 {
@@ -1413,6 +1534,92 @@ tribos_status tribos_nodes_project_f64(const struct tribos_node_f64 *nodes,
                                        double length,
                                        struct tribos_projection_f64 *projection);
 
+// What of a polygon lies to the left of the line through `point` along `direction`, under the same pressure:
+// the part of a patch on one of two surfaces. `share` is its part of the load; where it is 0 nothing lies
+// there, and no piece is written. `memory` has room for `room` edges, other than those of the polygon: twice as
+// many are always enough. Accuracy: both pieces of a patch have its friction together to rounding.
+// TRIBOS_STATUS_NODE_POSITION for a point that is not finite, TRIBOS_STATUS_OUTLINE for no direction,
+// TRIBOS_STATUS_FULL for too little room.
+tribos_status tribos_polygon_within_f64(const struct tribos_polygon_f64 *polygon,
+                                        const struct tribos_point_f64 *point,
+                                        const struct tribos_point_f64 *direction,
+                                        struct tribos_edge_f64 *memory,
+                                        size_t room,
+                                        struct tribos_polygon_f64 *piece,
+                                        double *share);
+
+// A disk about any centre under one of the pressures, a tribos_pressure. Domain: a finite centre;
+// 0 < radius < inf. Alone and centred in the origin tribos_disk_wrench_f64 is quicker.
+tribos_status tribos_shape_disk_f64(uint32_t pressure,
+                                    const struct tribos_point_f64 *centre,
+                                    double radius,
+                                    struct tribos_shape_f64 *shape);
+
+// An ellipse about any centre with semi-axes along x and y under one of the pressures, a tribos_pressure.
+// Domain: a finite centre; positive, finite semi-axes whose quotient is at most 1e6.
+// Accuracy, of coefficient x load, and x radius: 1e-14 (f32: 1e-6) for aspect ratios up to 1e3; Jacobian 1e-12
+// (f32: 1e-5) of its largest entry.
+tribos_status tribos_shape_ellipse_f64(uint32_t pressure,
+                                       const struct tribos_point_f64 *centre,
+                                       const struct tribos_point_f64 *semi_axes,
+                                       struct tribos_shape_f64 *shape);
+
+// The ellipse centre + p cos t + q sin t with two half-diameters p and q, in any direction: semi-axes where they
+// are normal to each other. Otherwise as tribos_shape_ellipse_f64.
+tribos_status tribos_shape_turned_ellipse_f64(uint32_t pressure,
+                                              const struct tribos_point_f64 *centre,
+                                              const struct tribos_point_f64 *half_diameters,
+                                              struct tribos_shape_f64 *shape);
+
+// A polygon under uniform or leaning pressure, whose edges stay where they are.
+tribos_status tribos_shape_polygon_f64(const struct tribos_polygon_f64 *polygon,
+                                       struct tribos_shape_f64 *shape);
+
+// Gives a shape the coefficients `along` an axis of it and `across` that axis: tread, skates, grooved or brushed
+// surfaces. The larger one is the coefficient, and the one in the force limit, of every call that follows.
+// Rewrites the edges of a polygon: the polygon itself and copies are lost. Domain: positive, finite coefficients;
+// an axis of any finite length but zero. TRIBOS_STATUS_AXES if the shape has two coefficients already;
+// TRIBOS_STATUS_SEMI_AXES for an ellipse, stretched by the coefficients, of more than 1e6 to 1;
+// TRIBOS_STATUS_RADIUS if the stretched patch vanishes in rounding, which loses the edges.
+tribos_status tribos_shape_two_coefficients_f64(struct tribos_shape_f64 *shape,
+                                                double along,
+                                                double across,
+                                                const struct tribos_point_f64 *axis);
+
+// Wrench of Coulomb friction on a shape, against its twist. Special values: zero at rest.
+tribos_status tribos_shape_wrench_f64(const struct tribos_shape_f64 *shape,
+                                      double coefficient,
+                                      double load,
+                                      const struct tribos_twist_f64 *twist,
+                                      struct tribos_wrench_f64 *wrench);
+
+// Wrench and Jacobian, which is symmetric. Special values: both zero at rest.
+tribos_status tribos_shape_wrench_jacobian_f64(const struct tribos_shape_f64 *shape,
+                                               double coefficient,
+                                               double load,
+                                               const struct tribos_twist_f64 *twist,
+                                               struct tribos_wrench_f64 *wrench,
+                                               struct tribos_jacobian_f64 *jacobian);
+
+// Gauge of a wrench on a shape, as tribos_polygon_gauge_f64.
+tribos_status tribos_shape_gauge_f64(const struct tribos_shape_f64 *shape,
+                                     double force_limit,
+                                     const struct tribos_wrench_f64 *wrench,
+                                     double *gauge);
+
+// The motion caused by a push, as tribos_polygon_motion_f64.
+tribos_status tribos_shape_motion_f64(const struct tribos_shape_f64 *shape,
+                                      double force_limit,
+                                      const struct tribos_wrench_f64 *push,
+                                      struct tribos_twist_f64 *twist);
+
+// The nearest wrench that a shape can carry, as tribos_polygon_project_f64.
+tribos_status tribos_shape_project_f64(const struct tribos_shape_f64 *shape,
+                                       double force_limit,
+                                       const struct tribos_wrench_f64 *wrench,
+                                       double length,
+                                       struct tribos_projection_f64 *projection);
+
 // One velocity-Verlet step of size duration > 0, in place. Friction stops a motion and never reverses
 // it. Accuracy: second order in motion, first order at the stop. Cost: two wrenches.
 tribos_status tribos_slider_verlet_step_f64(const struct tribos_slider_f64 *slider,
@@ -1461,6 +1668,63 @@ tribos_status tribos_planar_ellipsoid_step_f64(const struct tribos_planar_body_f
                                                const struct tribos_wrench_f64 *push,
                                                double dt,
                                                struct tribos_planar_step_f64 *step);
+
+// As tribos_planar_disk_step_f64 with friction that is `strength`, the static over the dynamic coefficient, times
+// that of the surface while the body rests. A body at rest, whose twist is exactly zero, keeps every bit of it
+// while the push lies in strength x surface; beyond, it slides under the surface in the same step. Domain:
+// 1 <= strength; less counts as 1.
+tribos_status tribos_planar_disk_step_sticking_f64(const struct tribos_planar_body_f64 *body,
+                                                   const struct tribos_disk_surface_f64 *surface,
+                                                   double strength,
+                                                   const struct tribos_twist_f64 *twist,
+                                                   const struct tribos_wrench_f64 *push,
+                                                   double dt,
+                                                   struct tribos_planar_step_f64 *step);
+
+// As tribos_planar_disk_step_sticking_f64, on a patch of any shape with force_limit = dynamic coefficient x load,
+// whose origin is the centre of mass.
+tribos_status tribos_planar_shape_step_sticking_f64(const struct tribos_planar_body_f64 *body,
+                                                    const struct tribos_shape_f64 *shape,
+                                                    double force_limit,
+                                                    double strength,
+                                                    const struct tribos_twist_f64 *twist,
+                                                    const struct tribos_wrench_f64 *push,
+                                                    double dt,
+                                                    struct tribos_planar_step_f64 *step);
+
+// The wrench on a body that moves with `twist`. Special values: a foot that rests on its surface gives nothing.
+// TRIBOS_STATUS_UNLOADED if no foot has a limit above 0.
+tribos_status tribos_feet_wrench_f64(const struct tribos_foot_f64 *feet,
+                                     size_t count,
+                                     const struct tribos_twist_f64 *twist,
+                                     struct tribos_wrench_f64 *wrench);
+
+// Wrench and Jacobian, which is symmetric.
+tribos_status tribos_feet_wrench_jacobian_f64(const struct tribos_foot_f64 *feet,
+                                              size_t count,
+                                              const struct tribos_twist_f64 *twist,
+                                              struct tribos_wrench_f64 *wrench,
+                                              struct tribos_jacobian_f64 *jacobian);
+
+// The motion in which friction of the feet balances a push on the body: the one that a body comes to.
+// Accuracy: balanced to 1e-12 of all limits (f32: 5e-5). TRIBOS_STATUS_ACCELERATES if the push is more than all
+// feet carry together, TRIBOS_STATUS_MISSED if the search ended before the balance.
+// Cost: 8 to 24 evaluations with Jacobian, about 12.
+tribos_status tribos_feet_steady_motion_f64(const struct tribos_foot_f64 *feet,
+                                            size_t count,
+                                            const struct tribos_wrench_f64 *push,
+                                            struct tribos_steady_motion_f64 *motion);
+
+// The motion of a body after the time dt under a constant push and the friction of its feet, whose origin is the
+// centre of mass. Accuracy: second order in dt while all feet slide; feet that come to rest on their surface do
+// so in every bit. Special values: NaN for NaN.
+tribos_status tribos_feet_step_f64(const struct tribos_planar_body_f64 *body,
+                                   const struct tribos_foot_f64 *feet,
+                                   size_t count,
+                                   const struct tribos_twist_f64 *twist,
+                                   const struct tribos_wrench_f64 *push,
+                                   double dt,
+                                   struct tribos_floor_step_f64 *step);
 
 // Gauges of `count` wrenches, as tribos_disk_surface_gauge_f64. Domain: 0 <= load < inf.
 // Special values: NaN for a negative or NaN load, unless the wrench is zero or infinite.
@@ -2167,6 +2431,92 @@ tribos_status tribos_nodes_project_f32(const struct tribos_node_f32 *nodes,
                                        float length,
                                        struct tribos_projection_f32 *projection);
 
+// What of a polygon lies to the left of the line through `point` along `direction`, under the same pressure:
+// the part of a patch on one of two surfaces. `share` is its part of the load; where it is 0 nothing lies
+// there, and no piece is written. `memory` has room for `room` edges, other than those of the polygon: twice as
+// many are always enough. Accuracy: both pieces of a patch have its friction together to rounding.
+// TRIBOS_STATUS_NODE_POSITION for a point that is not finite, TRIBOS_STATUS_OUTLINE for no direction,
+// TRIBOS_STATUS_FULL for too little room.
+tribos_status tribos_polygon_within_f32(const struct tribos_polygon_f32 *polygon,
+                                        const struct tribos_point_f32 *point,
+                                        const struct tribos_point_f32 *direction,
+                                        struct tribos_edge_f32 *memory,
+                                        size_t room,
+                                        struct tribos_polygon_f32 *piece,
+                                        float *share);
+
+// A disk about any centre under one of the pressures, a tribos_pressure. Domain: a finite centre;
+// 0 < radius < inf. Alone and centred in the origin tribos_disk_wrench_f32 is quicker.
+tribos_status tribos_shape_disk_f32(uint32_t pressure,
+                                    const struct tribos_point_f32 *centre,
+                                    float radius,
+                                    struct tribos_shape_f32 *shape);
+
+// An ellipse about any centre with semi-axes along x and y under one of the pressures, a tribos_pressure.
+// Domain: a finite centre; positive, finite semi-axes whose quotient is at most 1e6.
+// Accuracy, of coefficient x load, and x radius: 1e-14 (f32: 1e-6) for aspect ratios up to 1e3; Jacobian 1e-12
+// (f32: 1e-5) of its largest entry.
+tribos_status tribos_shape_ellipse_f32(uint32_t pressure,
+                                       const struct tribos_point_f32 *centre,
+                                       const struct tribos_point_f32 *semi_axes,
+                                       struct tribos_shape_f32 *shape);
+
+// The ellipse centre + p cos t + q sin t with two half-diameters p and q, in any direction: semi-axes where they
+// are normal to each other. Otherwise as tribos_shape_ellipse_f32.
+tribos_status tribos_shape_turned_ellipse_f32(uint32_t pressure,
+                                              const struct tribos_point_f32 *centre,
+                                              const struct tribos_point_f32 *half_diameters,
+                                              struct tribos_shape_f32 *shape);
+
+// A polygon under uniform or leaning pressure, whose edges stay where they are.
+tribos_status tribos_shape_polygon_f32(const struct tribos_polygon_f32 *polygon,
+                                       struct tribos_shape_f32 *shape);
+
+// Gives a shape the coefficients `along` an axis of it and `across` that axis: tread, skates, grooved or brushed
+// surfaces. The larger one is the coefficient, and the one in the force limit, of every call that follows.
+// Rewrites the edges of a polygon: the polygon itself and copies are lost. Domain: positive, finite coefficients;
+// an axis of any finite length but zero. TRIBOS_STATUS_AXES if the shape has two coefficients already;
+// TRIBOS_STATUS_SEMI_AXES for an ellipse, stretched by the coefficients, of more than 1e6 to 1;
+// TRIBOS_STATUS_RADIUS if the stretched patch vanishes in rounding, which loses the edges.
+tribos_status tribos_shape_two_coefficients_f32(struct tribos_shape_f32 *shape,
+                                                float along,
+                                                float across,
+                                                const struct tribos_point_f32 *axis);
+
+// Wrench of Coulomb friction on a shape, against its twist. Special values: zero at rest.
+tribos_status tribos_shape_wrench_f32(const struct tribos_shape_f32 *shape,
+                                      float coefficient,
+                                      float load,
+                                      const struct tribos_twist_f32 *twist,
+                                      struct tribos_wrench_f32 *wrench);
+
+// Wrench and Jacobian, which is symmetric. Special values: both zero at rest.
+tribos_status tribos_shape_wrench_jacobian_f32(const struct tribos_shape_f32 *shape,
+                                               float coefficient,
+                                               float load,
+                                               const struct tribos_twist_f32 *twist,
+                                               struct tribos_wrench_f32 *wrench,
+                                               struct tribos_jacobian_f32 *jacobian);
+
+// Gauge of a wrench on a shape, as tribos_polygon_gauge_f32.
+tribos_status tribos_shape_gauge_f32(const struct tribos_shape_f32 *shape,
+                                     float force_limit,
+                                     const struct tribos_wrench_f32 *wrench,
+                                     float *gauge);
+
+// The motion caused by a push, as tribos_polygon_motion_f32.
+tribos_status tribos_shape_motion_f32(const struct tribos_shape_f32 *shape,
+                                      float force_limit,
+                                      const struct tribos_wrench_f32 *push,
+                                      struct tribos_twist_f32 *twist);
+
+// The nearest wrench that a shape can carry, as tribos_polygon_project_f32.
+tribos_status tribos_shape_project_f32(const struct tribos_shape_f32 *shape,
+                                       float force_limit,
+                                       const struct tribos_wrench_f32 *wrench,
+                                       float length,
+                                       struct tribos_projection_f32 *projection);
+
 // One velocity-Verlet step of size duration > 0, in place. Friction stops a motion and never reverses
 // it. Accuracy: second order in motion, first order at the stop. Cost: two wrenches.
 tribos_status tribos_slider_verlet_step_f32(const struct tribos_slider_f32 *slider,
@@ -2215,6 +2565,63 @@ tribos_status tribos_planar_ellipsoid_step_f32(const struct tribos_planar_body_f
                                                const struct tribos_wrench_f32 *push,
                                                float dt,
                                                struct tribos_planar_step_f32 *step);
+
+// As tribos_planar_disk_step_f32 with friction that is `strength`, the static over the dynamic coefficient, times
+// that of the surface while the body rests. A body at rest, whose twist is exactly zero, keeps every bit of it
+// while the push lies in strength x surface; beyond, it slides under the surface in the same step. Domain:
+// 1 <= strength; less counts as 1.
+tribos_status tribos_planar_disk_step_sticking_f32(const struct tribos_planar_body_f32 *body,
+                                                   const struct tribos_disk_surface_f32 *surface,
+                                                   float strength,
+                                                   const struct tribos_twist_f32 *twist,
+                                                   const struct tribos_wrench_f32 *push,
+                                                   float dt,
+                                                   struct tribos_planar_step_f32 *step);
+
+// As tribos_planar_disk_step_sticking_f32, on a patch of any shape with force_limit = dynamic coefficient x load,
+// whose origin is the centre of mass.
+tribos_status tribos_planar_shape_step_sticking_f32(const struct tribos_planar_body_f32 *body,
+                                                    const struct tribos_shape_f32 *shape,
+                                                    float force_limit,
+                                                    float strength,
+                                                    const struct tribos_twist_f32 *twist,
+                                                    const struct tribos_wrench_f32 *push,
+                                                    float dt,
+                                                    struct tribos_planar_step_f32 *step);
+
+// The wrench on a body that moves with `twist`. Special values: a foot that rests on its surface gives nothing.
+// TRIBOS_STATUS_UNLOADED if no foot has a limit above 0.
+tribos_status tribos_feet_wrench_f32(const struct tribos_foot_f32 *feet,
+                                     size_t count,
+                                     const struct tribos_twist_f32 *twist,
+                                     struct tribos_wrench_f32 *wrench);
+
+// Wrench and Jacobian, which is symmetric.
+tribos_status tribos_feet_wrench_jacobian_f32(const struct tribos_foot_f32 *feet,
+                                              size_t count,
+                                              const struct tribos_twist_f32 *twist,
+                                              struct tribos_wrench_f32 *wrench,
+                                              struct tribos_jacobian_f32 *jacobian);
+
+// The motion in which friction of the feet balances a push on the body: the one that a body comes to.
+// Accuracy: balanced to 1e-12 of all limits (f32: 5e-5). TRIBOS_STATUS_ACCELERATES if the push is more than all
+// feet carry together, TRIBOS_STATUS_MISSED if the search ended before the balance.
+// Cost: 8 to 24 evaluations with Jacobian, about 12.
+tribos_status tribos_feet_steady_motion_f32(const struct tribos_foot_f32 *feet,
+                                            size_t count,
+                                            const struct tribos_wrench_f32 *push,
+                                            struct tribos_steady_motion_f32 *motion);
+
+// The motion of a body after the time dt under a constant push and the friction of its feet, whose origin is the
+// centre of mass. Accuracy: second order in dt while all feet slide; feet that come to rest on their surface do
+// so in every bit. Special values: NaN for NaN.
+tribos_status tribos_feet_step_f32(const struct tribos_planar_body_f32 *body,
+                                   const struct tribos_foot_f32 *feet,
+                                   size_t count,
+                                   const struct tribos_twist_f32 *twist,
+                                   const struct tribos_wrench_f32 *push,
+                                   float dt,
+                                   struct tribos_floor_step_f32 *step);
 
 // Gauges of `count` wrenches, as tribos_disk_surface_gauge_f32. Domain: 0 <= load < inf.
 // Special values: NaN for a negative or NaN load, unless the wrench is zero or infinite.

@@ -29,13 +29,16 @@ pub mod table;
 pub mod double {
     pub mod batch;
     pub mod contact;
+    pub mod feet;
     pub mod law;
     pub mod nodes;
     pub mod patch;
     pub mod patch_batch;
     pub mod patch_surface;
+    pub mod piece;
     pub mod planar;
     pub mod polygon;
+    pub mod shape;
     pub mod slider;
     pub mod surface;
     pub mod update;

@@ -43,11 +43,13 @@ pub enum tribos_status {
     PressureOrder = 21,
     /// The inner over the outer radius of an annulus is not between 0 and 0.999999.
     InnerRatio = 22,
+    /// A semi-axis is not positive and finite, or one is more than 1e6 times as long as the other.
+    SemiAxes = 23,
     /// A node has a position that is not finite.
     NodePosition = 30,
     /// A node's weight is negative or NaN, or makes the sum infinite.
     NodeWeight = 31,
-    /// No node carries load.
+    /// No node, or no foot, carries load.
     Unloaded = 32,
     /// The nodes do not fit into the given memory.
     Full = 33,
@@ -69,6 +71,8 @@ pub enum tribos_status {
     Leans = 41,
     /// Edges of a polygon touch or cross, a hole lies outside, or a loop has no area.
     Outline = 42,
+    /// The patch has two coefficients already.
+    Axes = 43,
     /// The force limit is negative, infinite or NaN.
     ForceLimit = 50,
     /// The reduced torque of pure spinning is not positive and finite.
@@ -79,9 +83,13 @@ pub enum tribos_status {
     Inertia = 61,
     /// The motion does not come to rest, or is not finite.
     NoRest = 62,
+    /// The push is more than friction of all feet carries: no motion is steady.
+    Accelerates = 63,
+    /// The search for a steady motion ended before friction balanced the push, or the push is NaN.
+    Missed = 64,
     /// There is no normal: centres coincide, or one lies in the plate.
     NoNormal = 70,
-    /// A position or radius is not finite, or a radius is not positive.
+    /// A position, a radius or the motion of a surface is not finite, or a radius is not positive.
     NotFinite = 71,
     /// A time step is not positive and finite.
     TimeStep = 72,
@@ -89,7 +97,7 @@ pub enum tribos_status {
 
 impl tribos_status {
     /// All statuses; each has a name in C.
-    pub const fn all() -> [Self; 36] {
+    pub const fn all() -> [Self; 40] {
         [
             Self::Ok,
             Self::NullPointer,
@@ -106,6 +114,7 @@ impl tribos_status {
             Self::Radius,
             Self::PressureOrder,
             Self::InnerRatio,
+            Self::SemiAxes,
             Self::NodePosition,
             Self::NodeWeight,
             Self::Unloaded,
@@ -119,11 +128,14 @@ impl tribos_status {
             Self::RimExponent,
             Self::Leans,
             Self::Outline,
+            Self::Axes,
             Self::ForceLimit,
             Self::SpinTorque,
             Self::Deceleration,
             Self::Inertia,
             Self::NoRest,
+            Self::Accelerates,
+            Self::Missed,
             Self::NoNormal,
             Self::NotFinite,
             Self::TimeStep,
@@ -147,9 +159,12 @@ impl tribos_status {
             Self::Radius => c"the contact radius must be positive and finite",
             Self::PressureOrder => c"the order of the pressure must be between -1 and 8",
             Self::InnerRatio => c"inner radius / outer radius must be between 0 and 0.999999",
+            Self::SemiAxes => {
+                c"semi-axes must be positive and finite, one at most 1e6 times the other"
+            }
             Self::NodePosition => c"a node must lie at a finite place",
             Self::NodeWeight => c"a node must carry a finite weight, not negative",
-            Self::Unloaded => c"at least one node must carry load",
+            Self::Unloaded => c"at least one node or foot must carry load",
             Self::Full => c"the nodes do not fit: give more memory",
             Self::FeetInLine => c"three feet must span a triangle",
             Self::Tips => c"the body tips over: a foot would have to pull",
@@ -160,13 +175,16 @@ impl tribos_status {
             Self::RimExponent => c"the exponent at the rim must be above -1 and not above 64",
             Self::Leans => c"only a polygon under uniform pressure can lean",
             Self::Outline => c"edges must not touch, holes lie inside, each loop has an area",
+            Self::Axes => c"the patch has two coefficients already",
             Self::ForceLimit => c"the force limit must be finite and not negative",
             Self::SpinTorque => c"the reduced torque of spinning must be positive and finite",
             Self::Deceleration => c"the deceleration must be positive and finite",
             Self::Inertia => c"the inertia ratio must be positive and finite",
             Self::NoRest => c"the motion has no rest, or is not finite",
+            Self::Accelerates => c"the push is more than friction of all feet carries",
+            Self::Missed => c"the search for the steady motion missed it",
             Self::NoNormal => c"centres coincide or lie in the plate: there is no normal",
-            Self::NotFinite => c"positions must be finite, radii positive and finite",
+            Self::NotFinite => c"positions and surfaces must be finite, radii positive and finite",
             Self::TimeStep => c"a time step must be positive and finite",
         }
     }
@@ -197,11 +215,13 @@ impl From<LawError> for tribos_status {
                 _ => Self::NotPositive,
             },
             LawError::Negative { parameter, .. } => match parameter {
-                "force limit" => Self::ForceLimit,
+                "force limit" | "friction limit of a foot" => Self::ForceLimit,
                 _ => Self::Negative,
             },
-            // Of rate and state alone, which C does not have.
-            LawError::NotFinite { .. } => Self::Negative,
+            LawError::NotFinite { parameter, .. } => match parameter {
+                "motion of a surface" => Self::NotFinite,
+                _ => Self::Negative,
+            },
             LawError::NotAFraction { .. } => Self::NotAFraction,
             LawError::Order { .. } => Self::Order,
         }
@@ -214,6 +234,7 @@ impl From<PatchError> for tribos_status {
             PatchError::Radius { .. } => Self::Radius,
             PatchError::Order { .. } => Self::PressureOrder,
             PatchError::InnerRatio { .. } => Self::InnerRatio,
+            PatchError::SemiAxes { .. } | PatchError::NoImage => Self::SemiAxes,
             PatchError::Height { .. } | PatchError::Lean { .. } | PatchError::Negative => {
                 Self::Negative
             }

@@ -1,7 +1,6 @@
 //! Caller-provided memory for objects that take long to build.
 
 use crate::status::tribos_status;
-use core::ptr::addr_of;
 use tribos_core::coupling::compact::CompactPower;
 use tribos_core::coupling::table::{DiskTable32, DiskTable64};
 
@@ -58,13 +57,14 @@ pub(crate) trait CallerMemory {
     unsafe fn built(lent: *const Self) -> *const u32;
 }
 
+/// Says what object memory of the caller holds.
 macro_rules! lent {
     ($($lent:ident for $held:ty;)*) => {$(
-        impl CallerMemory for $lent {
+        impl $crate::table::CallerMemory for $lent {
             type Object = $held;
             #[inline(always)]
             unsafe fn built(lent: *const Self) -> *const u32 {
-                addr_of!((*lent).built)
+                core::ptr::addr_of!((*lent).built)
             }
         }
         const _: () = {
@@ -73,6 +73,8 @@ macro_rules! lent {
         };
     )*};
 }
+
+pub(crate) use lent;
 
 lent! {
     tribos_power_table_f64 for DiskTable64;

@@ -48,6 +48,7 @@ use nalgebra::{Matrix3, Vector2, Vector3};
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Foot<R: Real, P> {
     /// The patch.
     pub patch: P,

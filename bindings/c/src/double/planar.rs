@@ -3,6 +3,7 @@
 //! Friction that balances the push within its limit surface holds the body, to the last bit. Otherwise it
 //! opposes the motion at half time, and takes power from it.
 
+use super::shape::{surface_of, tribos_shape_f64};
 use super::surface::{Set, tribos_disk_surface_f64, tribos_ellipsoid_f64};
 use super::vectors::{tribos_twist_f64, tribos_wrench_f64};
 use crate::memory::{answer, read};
@@ -91,4 +92,47 @@ pub unsafe extern "C" fn tribos_planar_ellipsoid_step_f64(
     step: *mut tribos_planar_step_f64,
 ) -> tribos_status {
     answer(step, || step_on(body, ellipsoid, twist, push, dt))
+}
+
+/// As tribos_planar_disk_step_f64 with friction that is `strength`, the static over the dynamic coefficient, times
+/// that of the surface while the body rests. A body at rest, whose twist is exactly zero, keeps every bit of it
+/// while the push lies in strength x surface; beyond, it slides under the surface in the same step. Domain:
+/// 1 <= strength; less counts as 1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_planar_disk_step_sticking_f64(
+    body: *const tribos_planar_body_f64,
+    surface: *const tribos_disk_surface_f64,
+    strength: f64,
+    twist: *const tribos_twist_f64,
+    push: *const tribos_wrench_f64,
+    dt: f64,
+    step: *mut tribos_planar_step_f64,
+) -> tribos_status {
+    answer(step, || {
+        let (body, set) = (read(body)?.body()?, read(surface)?.set()?);
+        let (twist, push) = (read(twist)?.into(), read(push)?.into());
+        let dt = TimeStep::new(dt)?;
+        Ok((&body.step_sticking(&set, strength, &twist, &push, dt)).into())
+    })
+}
+
+/// As tribos_planar_disk_step_sticking_f64, on a patch of any shape with force_limit = dynamic coefficient x load,
+/// whose origin is the centre of mass.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_planar_shape_step_sticking_f64(
+    body: *const tribos_planar_body_f64,
+    shape: *const tribos_shape_f64,
+    force_limit: f64,
+    strength: f64,
+    twist: *const tribos_twist_f64,
+    push: *const tribos_wrench_f64,
+    dt: f64,
+    step: *mut tribos_planar_step_f64,
+) -> tribos_status {
+    answer(step, || {
+        let (body, set) = (read(body)?.body()?, surface_of(shape, force_limit)?);
+        let (twist, push) = (read(twist)?.into(), read(push)?.into());
+        let dt = TimeStep::new(dt)?;
+        Ok((&body.step_sticking(&set, strength, &twist, &push, dt)).into())
+    })
 }

@@ -12,6 +12,7 @@ use crate::status::tribos_status;
 use nalgebra::Vector2;
 use tribos_core::coupling::flat::{Hessian, Motion, PatchShape, Reduced, ShapeFriction};
 use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
+use tribos_core::patch::affine_image::{AffineImage, AffineMap};
 use tribos_core::patch::outline::{
     Edge, LinearPressure, Parts, Polygon, PressureField, UniformPressure,
 };
@@ -76,7 +77,7 @@ impl tribos_polygon_f64 {
 
     /// A polygon of `count` edges in this memory.
     #[inline(always)]
-    fn of<K: PressureField<f64>>(
+    pub(super) fn of<K: PressureField<f64>>(
         edges: *mut tribos_edge_f64,
         count: usize,
         parts: &Parts<f64, K>,
@@ -97,63 +98,78 @@ impl tribos_polygon_f64 {
 }
 
 /// A patch whose kind of pressure is known at run time. Uniform pressure runs no code of linear one.
-enum Patch<'a> {
-    Uniform(Polygon<f64, &'a [Edge<f64>]>),
-    Leaning(Polygon<f64, &'a [Edge<f64>], LinearPressure<f64>>),
+#[derive(Clone, Copy)]
+pub(crate) enum Patch<S> {
+    Uniform(Polygon<f64, S>),
+    Leaning(Polygon<f64, S, LinearPressure<f64>>),
 }
 
-impl PatchShape<f64> for Patch<'_> {
+/// What the polygon of either kind gives.
+macro_rules! either {
+    ($patch:ident => $answer:expr, $given:expr) => {
+        match $given {
+            Patch::Uniform($patch) => $answer,
+            Patch::Leaning($patch) => $answer,
+        }
+    };
+}
+
+impl<S: AsRef<[Edge<f64>]>> PatchShape<f64> for Patch<S> {
     #[inline(always)]
     fn centre(&self) -> Vector2<f64> {
-        match self {
-            Self::Uniform(patch) => patch.centre(),
-            Self::Leaning(patch) => patch.centre(),
-        }
+        either!(patch => patch.centre(), self)
     }
     #[inline(always)]
     fn radius(&self) -> f64 {
-        match self {
-            Self::Uniform(patch) => patch.radius(),
-            Self::Leaning(patch) => patch.radius(),
-        }
+        either!(patch => patch.radius(), self)
     }
     fn rounding(&self) -> f64 {
-        match self {
-            Self::Uniform(patch) => patch.rounding(),
-            Self::Leaning(patch) => patch.rounding(),
-        }
+        either!(patch => patch.rounding(), self)
     }
     fn reduced(&self, motion: &Motion<f64>) -> Reduced<f64> {
-        match self {
-            Self::Uniform(patch) => patch.reduced(motion),
-            Self::Leaning(patch) => patch.reduced(motion),
-        }
+        either!(patch => patch.reduced(motion), self)
     }
     fn reduced_with_hessian(&self, motion: &Motion<f64>) -> (Reduced<f64>, Hessian<f64>) {
-        match self {
-            Self::Uniform(patch) => patch.reduced_with_hessian(motion),
-            Self::Leaning(patch) => patch.reduced_with_hessian(motion),
+        either!(patch => patch.reduced_with_hessian(motion), self)
+    }
+}
+
+impl<S: AsRef<[Edge<f64>]> + AsMut<[Edge<f64>]>> AffineImage<f64> for Patch<S> {
+    fn image(self, map: &AffineMap<f64>) -> Option<Self> {
+        Some(match self {
+            Self::Uniform(patch) => Self::Uniform(patch.image(map)?),
+            Self::Leaning(patch) => Self::Leaning(patch.image(map)?),
+        })
+    }
+}
+
+impl tribos_polygon_f64 {
+    /// The kernel's polygon of these edges.
+    #[inline(always)]
+    pub(super) fn patch<S: AsRef<[Edge<f64>]>>(&self, edges: S) -> Patch<S> {
+        if self.is_uniform() {
+            Patch::Uniform(Polygon::of_parts(edges, &self.parts(UniformPressure)))
+        } else {
+            let pressure = LinearPressure::new(self.pressure, [self.slope_x, self.slope_y]);
+            Patch::Leaning(Polygon::of_parts(edges, &self.parts(pressure)))
         }
     }
 }
 
 #[inline(always)]
-unsafe fn patch_of<'a>(polygon: *const tribos_polygon_f64) -> Result<Patch<'a>, tribos_status> {
+pub(super) unsafe fn patch_of<'a>(
+    polygon: *const tribos_polygon_f64,
+) -> Result<Patch<&'a [Edge<f64>]>, tribos_status> {
     let given = read(polygon)?;
     let edges = slice(given.edges.cast_const().cast::<Edge<f64>>(), given.count)?;
-    Ok(if given.is_uniform() {
-        Patch::Uniform(Polygon::of_parts(edges, &given.parts(UniformPressure)))
-    } else {
-        let pressure = LinearPressure::new(given.pressure, [given.slope_x, given.slope_y]);
-        Patch::Leaning(Polygon::of_parts(edges, &given.parts(pressure)))
-    })
+    Ok(given.patch(edges))
 }
 
 #[inline(always)]
 unsafe fn friction_of<'a>(
     polygon: *const tribos_polygon_f64,
     coefficient: f64,
-) -> Result<ShapeFriction<f64, Patch<'a>>, tribos_status> {
+) -> Result<ShapeFriction<f64, Patch<&'a [Edge<f64>]>>, tribos_status> {
     Ok(ShapeFriction::new(patch_of(polygon)?, coefficient)?)
 }
 
@@ -161,7 +177,7 @@ unsafe fn friction_of<'a>(
 unsafe fn surface_of<'a>(
     polygon: *const tribos_polygon_f64,
     force_limit: f64,
-) -> Result<ShapeLimitSurface<f64, Patch<'a>>, tribos_status> {
+) -> Result<ShapeLimitSurface<f64, Patch<&'a [Edge<f64>]>>, tribos_status> {
     Ok(ShapeLimitSurface::new(patch_of(polygon)?, force_limit)?)
 }
 

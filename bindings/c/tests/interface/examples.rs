@@ -111,9 +111,14 @@ fn no_panic_is_left_in(image: &Path) {
 
 #[test]
 fn the_digest_calls_every_function_of_the_header() {
-    let source = ["digest_real.h", "digest_polygons.h", "digest_surfaces.h"]
-        .map(|name| fs::read_to_string(folder("examples").join(name)).expect("the digest"))
-        .concat();
+    let source = [
+        "digest_real.h",
+        "digest_polygons.h",
+        "digest_shapes.h",
+        "digest_surfaces.h",
+    ]
+    .map(|name| fs::read_to_string(folder("examples").join(name)).expect("the digest"))
+    .concat();
     let mut count = 0;
     for line in header().lines() {
         let Some(rest) = line.strip_prefix("tribos_status tribos_") else {

@@ -38,7 +38,9 @@ fn generated() -> String {
             ..EnumConfig::default()
         },
         export: cbindgen::ExportConfig {
-            include: vec!["tribos_attraction".to_owned()],
+            include: ["tribos_attraction", "tribos_pressure"]
+                .map(str::to_owned)
+                .to_vec(),
             ..cbindgen::ExportConfig::default()
         },
         ..Config::default()

@@ -7,18 +7,20 @@ use std::fmt::Write;
 use std::fs;
 use std::process::Command;
 use tribos_c::double::contact::*;
+use tribos_c::double::feet::*;
 use tribos_c::double::law::*;
 use tribos_c::double::nodes::*;
 use tribos_c::double::patch::*;
 use tribos_c::double::polygon::*;
+use tribos_c::double::shape::*;
 use tribos_c::double::slider::*;
 use tribos_c::double::surface::*;
 use tribos_c::double::vectors::*;
 use tribos_c::status::{tribos_status, tribos_status_text};
 use tribos_c::table::tribos_power_compact_f64;
 
-/// Functions that refuse numbers that are all 1 before they come to a null pointer: they make no table, edges or feet.
-const REFUSE_ONES: [&str; 3] = ["_power_", "_polygon_", "_nodes_"];
+/// Functions that refuse numbers that are all 1 before they come to a null pointer: they make no table, edges or shape.
+const REFUSE_ONES: [&str; 4] = ["_power_", "_polygon_", "_nodes_", "_shape_"];
 
 /// Calls of one function with null for each of its pointers in turn and for all of them; the other pointers
 /// point to numbers that are all 1.
@@ -34,6 +36,8 @@ fn calls(prototype: &str) -> String {
     let call = |is_null: &dyn Fn(usize) -> bool| {
         let value = |(i, argument): (usize, &&str)| match argument.contains('*') {
             true if is_null(i) => "0",
+            // Feet name their shapes.
+            true if argument.contains("tribos_foot_") => "feet",
             true => ones,
             false if argument.contains("inner_ratio") => "0.5",
             false => "1",
@@ -74,7 +78,8 @@ fn every_function_refuses_null() {
     let source = scratch("null.c");
     let text = format!(
         "#include \"tribos.h\"\n#include <stdio.h>\n\
-         static double ones_f64[8192];\nstatic float ones_f32[8192];\nstatic int refused = 1;\n\
+         static double ones_f64[8192];\nstatic float ones_f32[8192];\n\
+         static double feet[64];\nstatic int refused = 1;\n\
          static void check(const char *name, int right)\n{{\n    if (!right) {{\n        \
          puts(name);\n        refused = 0;\n    }}\n}}\n\
          int main(void)\n{{\n    void *doubles = ones_f64, *floats = ones_f32;\n    int i;\n\n    \
@@ -107,6 +112,76 @@ fn every_status_has_its_own_number_and_text() {
     }
     let in_header = header().matches("  TRIBOS_STATUS_").count();
     assert_eq!(in_header, tribos_status::all().len());
+}
+
+/// Shapes and feet.
+unsafe fn shapes(expect: &mut impl FnMut(tribos_status, tribos_status)) {
+    use tribos_status as S;
+    let point = |x, y| tribos_point_f64 { x, y };
+    let (origin, uniform) = (point(0.0, 0.0), 1);
+    let mut shape = std::mem::zeroed::<tribos_shape_f64>();
+    let mut ellipse =
+        |pressure, a, b| tribos_shape_ellipse_f64(pressure, &origin, &point(a, b), &mut shape);
+    expect(ellipse(uniform, 1.0, 0.0), S::SemiAxes);
+    expect(ellipse(uniform, 1.0, 1e-7), S::SemiAxes);
+    expect(ellipse(4, 1.0, 0.5), S::Choice);
+    let rest = tribos_twist_f64 {
+        x: 0.0,
+        y: 0.0,
+        spin: 0.0,
+    };
+    let mut wrench = tribos_wrench_f64 {
+        x: 7.0,
+        y: 7.0,
+        torque: 7.0,
+    };
+    let foot = |shape, limit, surface| tribos_foot_f64 {
+        shape,
+        limit,
+        surface,
+    };
+    let unbuilt = foot(&shape, 1.0, rest);
+    expect(
+        tribos_feet_wrench_f64(&unbuilt, 1, &rest, &mut wrench),
+        S::NotBuilt,
+    );
+    let nothing = foot(std::ptr::null(), 1.0, rest);
+    expect(
+        tribos_feet_wrench_f64(&nothing, 1, &rest, &mut wrench),
+        S::NullPointer,
+    );
+    expect(
+        tribos_shape_ellipse_f64(uniform, &origin, &point(1.0, 0.5), &mut shape),
+        S::Ok,
+    );
+    let mut two =
+        |along, x| tribos_shape_two_coefficients_f64(&mut shape, along, 1.0, &point(x, 0.0));
+    expect(two(0.0, 1.0), S::NotPositive);
+    expect(two(1.0, 0.0), S::NotPositive);
+    expect(two(1e-7, 1.0), S::SemiAxes);
+    expect(two(0.5, 1.0), S::Ok);
+    expect(two(0.5, 1.0), S::Axes);
+
+    let on = |limit, x| {
+        let surface = tribos_twist_f64 { x, ..rest };
+        let mut motion = std::mem::zeroed::<tribos_steady_motion_f64>();
+        let feet = [foot(&shape, limit, rest), foot(&shape, limit, surface)];
+        move |push| {
+            let push = tribos_wrench_f64 {
+                x: push,
+                y: 0.0,
+                torque: 0.0,
+            };
+            tribos_feet_steady_motion_f64(feet.as_ptr(), 2, &push, &mut motion)
+        }
+    };
+    expect(on(-1.0, 1.0)(0.0), S::ForceLimit);
+    expect(on(0.0, 1.0)(0.0), S::Unloaded);
+    expect(on(1.0, f64::INFINITY)(0.0), S::NotFinite);
+    expect(on(1.0, 1.0)(0.1), S::Ok);
+    expect(on(1.0, 1.0)(3.0), S::Accelerates);
+    expect(on(1.0, 1.0)(f64::NAN), S::Missed);
+    assert_eq!([wrench.x, wrench.y, wrench.torque], [7.0; 3]);
 }
 
 /// One refused call for each status.
@@ -280,6 +355,8 @@ fn every_refusal_is_told_by_its_status() {
             tribos_polygon_gauge_f64(&sole, -1.0, &push, &mut x),
             S::ForceLimit,
         );
+
+        shapes(&mut expect);
 
         let mut power = |force_limit, spin_torque| {
             let set = tribos_ellipsoid_f64 {

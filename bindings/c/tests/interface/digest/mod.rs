@@ -7,6 +7,7 @@ mod patch_surfaces;
 mod patches;
 mod points;
 mod polygons;
+mod shapes;
 mod sliders;
 mod stream;
 mod surfaces;
@@ -39,6 +40,7 @@ fn all<R: Precision>(s: &mut Stream) {
         patches::powers::<R>(s);
         points::rules::<R>(s);
         polygons::leaning::<R>(s, range(n));
+        shapes::all::<R>(s, range(n));
         sliders::ways::<R>(s, n % 8 == 0);
     }
 }

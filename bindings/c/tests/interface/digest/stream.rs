@@ -163,6 +163,11 @@ impl Stream {
         }
     }
 
+    pub fn twist_and_friction<R: Real>(&mut self, twist: &Twist<R>, friction: &Wrench<R>) {
+        self.numbers([twist.velocity.x, twist.velocity.y, twist.spin]);
+        self.numbers([friction.force.x, friction.force.y, friction.torque]);
+    }
+
     /// Hashes the matrix row by row.
     pub fn jacobian_of<R: Real, E>(&mut self, answer: Result<WrenchJacobian<R>, E>) {
         if let Some(j) = self.ok(answer) {

@@ -117,14 +117,13 @@ fn steps<R: Precision>(s: &mut Stream, sets: [Option<Sets<R>>; 2], range: Range)
     }
 }
 
-fn feed_step<R: Precision>(s: &mut Stream, step: Option<PlanarStep<R>>) {
+pub fn feed_step<R: Precision>(s: &mut Stream, step: Option<PlanarStep<R>>) {
     if let Some(step) = s.ok(step.ok_or(())) {
         s.feed_bits(step.is_at_rest.into());
         let PlanarStep {
             twist, friction, ..
         } = step;
-        s.numbers([twist.velocity.x, twist.velocity.y, twist.spin]);
-        s.numbers([friction.force.x, friction.force.y, friction.torque]);
+        s.twist_and_friction(&twist, &friction);
     }
 }
 
