@@ -67,6 +67,7 @@ impl<R: Real> AffineMap<R> {
 ///
 /// Friction that differs along two axes is the same in all directions on such an image
 /// ([`super::anisotropic`]).
+#[doc(hidden)]
 pub trait AffineImage<R: Real>: PatchShape<R> + Sized {
     /// The image, which carries the same load; `None` if there is none of this kind.
     #[doc(hidden)]
