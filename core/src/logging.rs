@@ -14,6 +14,7 @@ use crate::coupling::{
 use crate::limit_surface::{
     FrictionSet, LimitEllipsoid, RoundLimitSurface, ShapeLimitSurface, UnknownPressureSet,
 };
+use crate::patch::arcs::{ArcOutline, Side};
 use crate::patch::bar::Bar;
 use crate::patch::ellipse::Ellipse;
 use crate::patch::feet::CompoundPatch;
@@ -110,6 +111,8 @@ formats! {
         "{} feet, radius {}", f.feet().len(), f.radius();
     [R: Real + Format] PointLoad<R>: |p| "share {} at [{}, {}]", p.share, p.place.x, p.place.y;
     [R: Real + Format, K: PressureField<R>] Bar<R, K>: |b| "bar, radius {}", b.radius();
+    [R: Real + Format, S: AsRef<[Side<R>]>] ArcOutline<R, S>: |p|
+        "patch of {} sides, radius {}", p.sides().len(), p.radius();
     [R: Real + Format] Ellipse<R>: |e| "ellipse of semi-axes [{}, {}], pressure {}",
         e.semi_axes()[0], e.semi_axes()[1], e.pressure();
     [R: Real + Format, P: PatchShape<R>] ShapeLimitSurface<R, P>: |s|

@@ -3,6 +3,8 @@
 //! Round patches are measured in units of their radius: a pressure says how a unit load is spread
 //! over the unit disk, and [`crate::coupling::RoundFriction`] adds the radius.
 
+pub mod arcs;
+mod arcs_cut;
 pub mod bar;
 mod edge;
 pub mod ellipse;

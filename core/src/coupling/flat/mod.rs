@@ -12,17 +12,18 @@
 //!
 //! [`ShapePowerFriction`] is the same for friction γ|q|^α, α > −1.
 
+mod arcs;
 mod bar;
 mod cone;
 mod ellipse;
 mod ellipse_closed;
-mod ellipse_panels;
 mod feet;
 mod linear;
 mod mesh;
 mod motion;
 pub(super) mod moving_edge;
 mod pair_of_numbers;
+mod panels;
 mod points;
 mod pole_far;
 mod pole_near;
