@@ -17,6 +17,7 @@ use crate::limit_surface::{
 };
 use crate::patch::affine_image::AffineMap;
 use crate::patch::anisotropic::{AnisotropicPatch, AxisCoefficients};
+use crate::patch::arcs::{ArcOutline, Side};
 use crate::patch::bar::Bar;
 use crate::patch::ellipse::Ellipse;
 use crate::patch::feet::{CompoundPatch, PatchPart};
@@ -115,6 +116,8 @@ formats! {
         "{} feet, radius {}", f.feet().len(), f.radius();
     [R: Real + Format] PointLoad<R>: |p| "share {} at [{}, {}]", p.share, p.place.x, p.place.y;
     [R: Real + Format, K: PressureField<R>] Bar<R, K>: |b| "bar, radius {}", b.radius();
+    [R: Real + Format, S: AsRef<[Side<R>]>] ArcOutline<R, S>: |p|
+        "patch of {} sides, radius {}", p.sides().len(), p.radius();
     [R: Real + Format] Ellipse<R>: |e| "ellipse of semi-axes [{}, {}], pressure {}",
         e.semi_axes()[0], e.semi_axes()[1], e.pressure();
     [R: Real + Format] AffineMap<R>: |m| "rows [{}, {}], [{}, {}], shift [{}, {}]",

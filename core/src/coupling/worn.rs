@@ -24,8 +24,8 @@ use crate::special::legendre::each_node;
 /// *Accuracy*: 2e-15 (f32: 1e-6) of force and torque limit; the Jacobian 1e-14 (f32: 5e-6) of the larger of the entry
 /// and F/v, times 1/(1 − `inner_ratio`) for bands that hold the centre of rotation or end next to it.
 /// *Special values*: as [`ReducedFriction`]; a full disk (`inner_ratio` = 0) that spins in place has an infinite F/v, for
-/// which a large number stands. *Cost*: 16 [`CoulombRing`]s, 32 to 48 with the centre of rotation in
-/// the band or next to it, 96 at most; two of them where sliding is 133 times slower than the inner edge.
+/// which a large number stands. *Cost*: 16 [`CoulombRing`]s (13 disks), 32 to 48 with the centre of rotation in
+/// the band or next to it, 96 at most; two disks where sliding is 133 times slower than the inner edge.
 ///
 /// ```
 /// use tribos_core::coupling::{RoundFriction, WornAnnulus};

@@ -7,6 +7,7 @@ use tribos_core::coupling::flat::{
     PatchShape, PolygonPowerLaw, PowerLawPatch, ShapeFriction, ShapePowerFriction,
 };
 use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
+use tribos_core::patch::arcs::{ArcOutline, Border, Side};
 use tribos_core::patch::bar::Bar;
 use tribos_core::patch::ellipse::{Ellipse, EllipsePressure};
 use tribos_core::patch::feet::{CompoundPatch, PatchPart};
@@ -24,7 +25,7 @@ type Shape<R, K> = Polygon<R, [Edge<R>; ROOM], K>;
 
 /// One patch.
 pub fn polygons<R: Real>(input: &mut Input<'_>) -> Verdict {
-    match input.below(10) {
+    match input.below(11) {
         0 => any_corners::<R>(input),
         1 => {
             let ends = [(); 2].map(|()| [input.number::<R>(), input.number()]);
@@ -38,6 +39,7 @@ pub fn polygons<R: Real>(input: &mut Input<'_>) -> Verdict {
         4 => spikes::<R>(input),
         5 => sledge::<R>(input),
         6 => oval::<R>(input),
+        7 => cut::<R>(input),
         _ => star::<R>(input),
     }
 }
@@ -182,6 +184,56 @@ fn oval<R: Real>(input: &mut Input<'_>) -> Verdict {
     input.holds(a >= b && b > R::ZERO, "axes in their order", &[a, b])?;
     input.finite("a direction", [axis.x, axis.y])?;
     borne_if_mild(input, &patch)
+}
+
+/// A part of an ellipse, or borders that may bound nothing.
+fn cut<R: Real>(input: &mut Input<'_>) -> Verdict {
+    let size = input.ordinary::<R>();
+    let centre = near(input, size);
+    let made = if input.one_in(2) {
+        let semi_axes = [(); 2].map(|()| size * (R::from_f64(0.2) + input.unit::<R>()));
+        let ellipse = Ellipse::new(centre, semi_axes, EllipsePressure::Uniform);
+        let ellipse = input.taken(ellipse)?;
+        let [[a, b], [c, d]] = [near(input, size), near(input, size)];
+        let ([left, right], [low, high]) = (in_order(a, c), in_order(b, d));
+        let corners = [[left, low], [right, low], [right, high], [left, high]];
+        ArcOutline::cut(&ellipse, &corners, [Side::default(); ROOM])
+    } else {
+        let half_diameters = [place(input, size), place(input, size)];
+        let [px, py] = half_diameters[0];
+        let (from, to) = if input.is_mild() {
+            (R::ZERO, R::PI)
+        } else {
+            (input.number(), input.number())
+        };
+        let borders = [
+            Border::Arc {
+                centre,
+                half_diameters,
+                from,
+                to,
+            },
+            Border::Line {
+                from: [centre[0] - px, centre[1] - py],
+                to: [centre[0] + px, centre[1] + py],
+            },
+        ];
+        let count = 1 + input.below(2);
+        ArcOutline::new(&borders[..count], [Side::default(); ROOM])
+    };
+    let patch = input.taken(made)?;
+    placed(input, &patch.centre(), patch.radius())?;
+    let area = patch.area();
+    input.holds(
+        area > R::ZERO && !patch.sides().is_empty(),
+        "an area",
+        &[area],
+    )?;
+    borne_if_mild(input, &patch)
+}
+
+fn in_order<R: Real>(a: R, b: R) -> [R; 2] {
+    if a < b { [a, b] } else { [b, a] }
 }
 
 /// A patch that is at most a few times as long as wide, at times with a hole.
