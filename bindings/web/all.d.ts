@@ -193,7 +193,7 @@ export interface AnyFriction extends Friction {
   wrench(twist: Twist, load: number, options?: { surface?: readonly Surface[] }): Wrench;
   jacobian(twist: Twist, load: number, options?: { surface?: readonly Surface[] }): Float64Array;
   /** The motion in which friction of all surfaces balances a push; see `Floor`. */
-  steadyMotion(push: Wrench, load: number, options: { surface: readonly Surface[] }): SteadyMotion;
+  steadyMotion(load: number, surface: readonly Surface[], push?: Wrench): SteadyMotion;
   /** The patch cut along the borders of surfaces, once for many calls; what no surface covers stands on the ground. */
   onSurfaces(load: number, surface: readonly Surface[]): Floor;
 }

@@ -23,7 +23,7 @@ class AnyFriction extends Friction {
     return this.#on(load, options.surface, (floor) => floor.jacobian(twist));
   }
 
-  steadyMotion(push, load, { surface }) {
+  steadyMotion(load, surface, push) {
     return this.#on(load, surface, (floor) => floor.steadyMotion(push));
   }
 

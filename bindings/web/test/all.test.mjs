@@ -88,7 +88,7 @@ test("a parcel on two belts, and a robot that turns in place, find their steady 
   near(held.fx, 4);
   near(held.torque, -4 * 0.05);
   assert.deepEqual([...parcel.jacobian(still, 20, { surface: [] })], Array(9).fill(0));
-  const motion = parcel.steadyMotion({ fx: 0, fy: 0, torque: 0 }, 20, { surface: [belt] });
+  const motion = parcel.steadyMotion(20, [belt]);
   near(motion.twist.vx, 0.25);
   assert.ok(motion.twist.spin < 0 && motion.carriedBy === null && motion.evaluations < 25);
   const floor = parcel.onSurfaces(20, [belt, { corners: [[0, -1], [1, -1], [1, 0], [0, 0]] }]);
