@@ -11,7 +11,7 @@ use tribos_core::patch::mesh::Vertex;
 use tribos_core::patch::nodes::Node;
 use tribos_core::slider::SliderParameters;
 use tribos_core::twist::Twist;
-use tribos_friction::{Area, Coefficients, Floor, FootOnFloor, Surface};
+use tribos_friction::{Area, Coefficients, Floor, FootOnFloor};
 use tribos_web::all::contact::{ContactLaw, ContactParameters, GIVEN};
 use tribos_web::all::launches::LaunchTarget;
 use tribos_web::all::prepared::Prepared;
@@ -421,9 +421,9 @@ fn floors(chapter: &mut Chapter) {
             let [first, second] = [(); 2].map(|()| twist_of(chapter.twist()));
             let plate = [[0.1, 0.05], [0.3, 0.05], [0.3, 0.2], [0.1, 0.2]];
             let surfaces = [
-                Surface::half_plane([0.0, 0.15], [0.4, 0.12 - 0.15], first),
-                Surface::polygon(&plate, second),
-                Surface::half_plane([0.2, 0.0], [0.0, 0.1], Twist::ZERO),
+                tribos_friction::Surface::half_plane([0.0, 0.15], [0.4, 0.12 - 0.15], first),
+                tribos_friction::Surface::polygon(&plate, second),
+                tribos_friction::Surface::half_plane([0.2, 0.0], [0.0, 0.1], Twist::ZERO),
             ];
             let surfaces = surfaces.map(Result::unwrap);
             floor_of(chapter, &Floor::under(area, mu, 20.0, &surfaces).unwrap());
