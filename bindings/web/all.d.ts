@@ -44,8 +44,13 @@ export {
  * catalogue `laws()`.
  */
 export interface LawOptions {
-  /** Coefficient of friction, at least 0; with `alpha` in (s/m)^α. */
-  mu?: number;
+  /**
+   * Coefficient of friction, at least 0; with `alpha` in (s/m)^α. Or two, above 0, of dry friction along an axis of
+   * the patch and across it; the `mu` of the result is then the larger one, and a round patch is no longer round.
+   */
+  mu?: number | readonly [number, number];
+  /** Direction of the axis with two coefficients, from x, in rad; x if it is left out. */
+  axis?: number;
   /** Exponent of the speed, above −1: up to 128 on round patches, up to 10 on polygons. */
   alpha?: number;
   /** A law in place of `mu`. */
@@ -86,17 +91,17 @@ export interface PolygonOptions extends LawOptions {
 }
 
 /** A polygon, under uniform or linear pressure. Laws: Coulomb, and powers of the speed up to 10. */
-export function polygon(options: PolygonOptions): Friction;
+export function polygon(options: PolygonOptions): AnyFriction;
 /** A rectangle with sides a and b along x and y, in m, about the origin. */
 export function box(
   options: LawOptions & { a: number; b: number; centre?: readonly [number, number] },
-): Friction;
+): AnyFriction;
 /** A straight line along x about the origin, of a length in m, under Coulomb friction. */
-export function bar(options: LawOptions & { length: number }): Friction;
+export function bar(options: LawOptions & { length: number }): AnyFriction;
 /** Points that share the load by weight (feet): x, y in m, weight of each. Any law. */
 export function points(
   options: LawOptions & { points: Rows | readonly (readonly [number, number, number])[] },
-): Friction;
+): AnyFriction;
 /**
  * Triangles under linear pressure, such as the contact face of a solver, under Coulomb friction: vertices
  * x, y in m and pressure, of which only the ratios count; three numbers of vertices, from 0, for each triangle.
@@ -106,10 +111,95 @@ export function mesh(
     vertices: Rows | readonly (readonly [number, number, number])[];
     triangles: Rows | readonly (readonly [number, number, number])[];
   },
-): Friction;
+): AnyFriction;
+
+/**
+ * An ellipse under uniform pressure with semi-axes a and b along x and y, in m, about the origin, under Coulomb
+ * friction.
+ */
+export function ellipse(options: LawOptions & { a: number; b: number }): AnyFriction;
+/** An ellipse under Hertz' pressure √(1 − (x/a)² − (y/b)²): a wheel on a rail. */
+export function hertzEllipse(options: LawOptions & { a: number; b: number }): AnyFriction;
+/** Points that share the load evenly on a circle of a radius in m: bolts of a flange. Any law. */
+export function bolts(options: LawOptions & { count: number; radius: number }): AnyFriction;
+
+/** A part of the floor and how it moves. */
+export interface Surface {
+  /** Corners of a convex polygon, or two points of a border to whose left the surface lies, in m. */
+  corners: Rows | readonly (readonly [number, number])[];
+  /** Motion of the surface about the origin; none if it is left out. */
+  twist?: Twist;
+}
+
+/** A motion in which friction balances a push: the one that a body comes to. */
+export interface SteadyMotion {
+  readonly twist: Twist;
+  readonly friction: Wrench;
+  /** The first foot, or piece of the patch, of those that rest on their surface; null where all slide. */
+  readonly carriedBy: number | null;
+  /** How often friction was evaluated in the search. */
+  readonly evaluations: number;
+}
+
+/** A body on several surfaces, or on several feet, each of which has a surface that moves by itself. */
+export interface Floor {
+  /** What all feet carry together, in N. */
+  readonly forceLimit: number;
+  /** Number of feet, or of pieces of the patch. */
+  readonly count: number;
+  /** Force in N and torque in N m about the origin on a body that moves with a twist. */
+  wrench(twist: Twist): Wrench;
+  /** Their derivatives, row by row. */
+  jacobian(twist: Twist): Float64Array;
+  /**
+   * The motion in which friction balances a push on the body; no push if it is left out. RangeError if the push is
+   * more than friction carries.
+   */
+  steadyMotion(push?: Wrench): SteadyMotion;
+  free(): void;
+  [Symbol.dispose](): void;
+}
+
+/** A foot of a body. */
+export interface Foot {
+  /** Its patch under dry friction. */
+  friction: Friction;
+  /** Its load in N, at least 0. */
+  load: number;
+  /** Where the origin of its patch lies on the body, in m. */
+  place: readonly [number, number];
+  /** By which it is turned on the body; 0 if it is left out. */
+  degrees?: number;
+  /** Motion of the surface under it, about the origin of the body; none if it is left out. */
+  surface?: Twist;
+}
+
+/**
+ * A body on several feet.
+ *
+ * ```js
+ * const wheel = box({ a: 0.04, b: 0.02, mu: 0.7 });                                   // m
+ * const robot = feet([-0.2, 0.2].flatMap((x) => [-0.25, 0.25].map((y) => (
+ *   { friction: wheel, load: 75, place: [x, y], surface: { vx: y < 0 ? 0.2 : -0.2, vy: 0, spin: 0 } }
+ * ))));
+ * robot.steadyMotion().twist.spin;                                                    // 0.488 rad/s
+ * ```
+ */
+export function feet(feet: readonly Foot[]): Floor;
+
+/** Friction of a patch, on one surface at rest or on several that move. */
+export interface AnyFriction extends Friction {
+  /** With `surface`: on these surfaces, of which the first counts where two lie over each other. */
+  wrench(twist: Twist, load: number, options?: { surface?: readonly Surface[] }): Wrench;
+  jacobian(twist: Twist, load: number, options?: { surface?: readonly Surface[] }): Float64Array;
+  /** The motion in which friction of all surfaces balances a push; see `Floor`. */
+  steadyMotion(load: number, surface: readonly Surface[], push?: Wrench): SteadyMotion;
+  /** The patch cut along the borders of surfaces, once for many calls; what no surface covers stands on the ground. */
+  onSurfaces(load: number, surface: readonly Surface[]): Floor;
+}
 
 /** Friction of a round patch. */
-export interface RoundFriction extends Friction {
+export interface RoundFriction extends AnyFriction {
   body(options: BodyOptions): RoundBody;
 }
 

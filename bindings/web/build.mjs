@@ -76,7 +76,7 @@ export const bytes = () => Uint8Array.from(atob(text), (letter) => letter.charCo
 /** The scripts that an entry loads. */
 function scripts() {
   const small = ["wasm", "checks", "surface", "body", "friction", "disk", "version"];
-  const others = ["law", "patches", "any-pressure", "contact", "everything"];
+  const others = ["law", "patches", "floor", "any-pressure", "contact", "everything"];
   const paths = (names) => names.map((name) => join("js", `${name}.js`));
   return {
     "scripts of tribos": ["index.js", ...paths(small)],

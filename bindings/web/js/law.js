@@ -1,6 +1,6 @@
 // Laws of the local speed.
 
-import { number, output, rowsOf, shown } from "./checks.js";
+import { number, output, pair, rowsOf, shown } from "./checks.js";
 import { FREED, disposable, forget, remember } from "./friction.js";
 import { answer, check, place, room, said, texts, wasm } from "./wasm.js";
 
@@ -62,11 +62,14 @@ export function laws() {
 }
 
 /** The line of the law that options ask for. */
-export function lawLine({ mu, alpha, law: other, ...unknown }) {
+export function lawLine({ mu, alpha, axis, law: other, ...unknown }) {
   const [name] = Object.keys(unknown);
   if (name !== undefined) throw new TypeError(`there is no option "${name}"`);
   if ((mu === undefined) === (other === undefined)) {
     throw new TypeError("give either mu, the coefficient of friction, or law");
+  }
+  if (axis !== undefined && !Array.isArray(mu)) {
+    throw new TypeError("axis goes with two coefficients, mu: [along, across]");
   }
   if (other !== undefined) {
     if (alpha !== undefined) throw new TypeError("alpha goes with mu: friction is mu |v|^alpha");
@@ -74,7 +77,14 @@ export function lawLine({ mu, alpha, law: other, ...unknown }) {
     if (typeof other === "string") return other;
     throw new TypeError(`law must be a Law or its line, not ${shown(other)}`);
   }
-  number("mu", mu);
+  if (typeof mu !== "number") return `coulomb:mu=${largest(mu, alpha)}`;
   if (alpha === undefined || alpha === 0) return `coulomb:mu=${mu}`;
   return `power:gamma=${mu},alpha=${number("alpha", alpha)}`;
+}
+
+/** The larger one of two coefficients. */
+function largest(mu, alpha) {
+  if (!Array.isArray(mu)) number("mu", mu);
+  if (alpha !== undefined && alpha !== 0) throw new TypeError("two coefficients are those of dry friction, without alpha");
+  return Math.max(...pair("mu", mu));
 }

@@ -3,6 +3,7 @@
 import { Body } from "./body.js";
 import { fields, flat, number, pair, whole, word } from "./checks.js";
 import { Friction, plainDisk, remember } from "./friction.js";
+import { floorUnder } from "./floor.js";
 import { lawLine } from "./law.js";
 import { answer, check, place, room, texts, wasm } from "./wasm.js";
 
@@ -12,6 +13,34 @@ const MOST = 100_000;
 
 /** Friction of a patch of any kind. */
 class AnyFriction extends Friction {
+  wrench(twist, load, options) {
+    if (options?.surface === undefined) return super.wrench(twist, load);
+    return this.#on(load, options.surface, (floor) => floor.wrench(twist));
+  }
+
+  jacobian(twist, load, options) {
+    if (options?.surface === undefined) return super.jacobian(twist, load);
+    return this.#on(load, options.surface, (floor) => floor.jacobian(twist));
+  }
+
+  steadyMotion(load, surface, push) {
+    return this.#on(load, surface, (floor) => floor.steadyMotion(push));
+  }
+
+  onSurfaces(load, surface) {
+    return floorUnder(this, load, surface);
+  }
+
+  /** What `work` makes of a floor that is needed once. */
+  #on(load, surface, work) {
+    const floor = floorUnder(this, load, surface);
+    try {
+      return work(floor);
+    } finally {
+      floor.free();
+    }
+  }
+
   body(options) {
     const given = fields("the body", options);
     return this.isRound ? new RoundBody(this, given) : new Body(this, given);
@@ -38,10 +67,21 @@ class RoundBody extends Body {
   }
 }
 
-/** The object of a patch that the kernel has prepared. */
-function prepared(kind, isRound, status) {
+/** The object of a patch that the kernel has prepared under a law, or with two coefficients. */
+function prepared(kind, isRound, status, { mu: coefficients, axis = 0 }) {
   check(status);
-  const [handle, radius, x, y, mu, alpha] = answer();
+  let [handle, radius, x, y, mu, alpha] = answer();
+  if (Array.isArray(coefficients)) {
+    const [along, across] = coefficients;
+    const isotropic = handle;
+    try {
+      check(wasm.make_two_coefficients(handle, radius, mu, along, across, number("axis", axis)));
+    } finally {
+      wasm.release(isotropic);
+    }
+    [handle, radius, x, y, mu, alpha] = answer();
+    isRound &&= along === across;
+  }
   const made = new AnyFriction({ handle, kind, isRound, mu, alpha, radius, centre: [x, y] });
   return Object.freeze(remember(made, handle));
 }
@@ -54,12 +94,12 @@ function round(kind, name, { radius, ...law }) {
 /** A patch as scenes write it. */
 function named(kind, name, radius, isRound, law) {
   const [at, length, lawAt, lawLength] = texts(0, name, lawLine(law));
-  return prepared(kind, isRound, wasm.make_named(at, length, radius, lawAt, lawLength));
+  return prepared(kind, isRound, wasm.make_named(at, length, radius, lawAt, lawLength), law);
 }
 
 export function disk(options) {
   const { radius, mu, alpha = 0, law } = fields("the disk", options);
-  if (alpha === 0 && law === undefined) {
+  if (alpha === 0 && law === undefined && !Array.isArray(mu)) {
     return plainDisk(AnyFriction, number("radius", radius), number("mu", mu));
   }
   return round("disk", "disk", options);
@@ -122,12 +162,31 @@ function straight(kind, loops, centre, law) {
   const status = wasm.make_polygon(
     place(), all.length / 2, place(all.length), counts.length, x, y, lawAt, lawLength,
   );
-  return prepared(kind, false, status);
+  return prepared(kind, false, status, law);
 }
 
 export function bar(options) {
   const { length, ...law } = fields("the bar", options);
   return named("bar", `bar:${number("length", length)}`, 0, false, law);
+}
+
+export function ellipse(options) {
+  return elliptic("ellipse", options);
+}
+
+export function hertzEllipse(options) {
+  return elliptic("hertzEllipse", options);
+}
+
+function elliptic(kind, options) {
+  const { a, b, ...law } = fields("the ellipse", options);
+  const name = kind === "ellipse" ? kind : "hertz-ellipse";
+  return named(kind, `${name}:${number("a", a)}x${number("b", b)}`, 0, false, law);
+}
+
+export function bolts(options) {
+  const { count, radius, ...law } = fields("the bolts", options);
+  return named("bolts", `bolts:${number("count", count)}x${number("radius", radius)}`, 0, false, law);
 }
 
 export function points(options) {
@@ -136,7 +195,7 @@ export function points(options) {
   const [lawAt, lawLength] = texts(all.length, lawLine(law));
   room(all.length).set(all);
   const status = wasm.make_points(place(), all.length / 3, lawAt, lawLength);
-  return prepared("points", false, status);
+  return prepared("points", false, status, law);
 }
 
 export function mesh(options) {
@@ -152,5 +211,5 @@ export function mesh(options) {
   const status = wasm.make_mesh(
     place(), corners.length / 3, place(corners.length), named.length / 3, lawAt, lawLength,
   );
-  return prepared("mesh", false, status);
+  return prepared("mesh", false, status, law);
 }

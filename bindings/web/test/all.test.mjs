@@ -59,6 +59,61 @@ test("a polygon need not be convex, has holes, and is centred where it is", () =
   near(corner.centre[0], 5 / 6);
 });
 
+test("two coefficients, ellipses and bolts are those of their formulas", () => {
+  const tread = tribos.box({ a: 0.2, b: 0.08, mu: [0.5, 0.9], axis: Math.PI / 2 });
+  assert.equal(tread.mu, 0.9);
+  near(tread.wrench({ vx: 0, vy: 0.1, spin: 0 }, 100).fy, -50);
+  near(tread.wrench({ vx: 0.1, vy: 0, spin: 0 }, 100).fx, -90);
+  near(tread.limitSurface(100).gauge({ fx: 0, fy: 50, torque: 0 }), 1);
+  const round = tribos.disk({ radius: 0.1, mu: [0.5, 0.9] });
+  assert.deepEqual([round.isRound, tribos.disk({ radius: 0.1, mu: [0.5, 0.5] }).isRound], [false, true]);
+  const circle = tribos.ellipse({ a: 0.1, b: 0.1, mu: 0.5 });
+  near(circle.wrench({ vx: 0, vy: 0, spin: 3 }, 2).torque, -0.5 * 2 * 0.1 * (2 / 3));
+  // 3/8 mu N a E(e), with E of e² = 5/9.
+  const wheel = tribos.hertzEllipse({ a: 0.006, b: 0.004, mu: 0.3 });
+  near(wheel.wrench({ vx: 0, vy: 0, spin: 1 }, 5e4).torque, -0.375 * 0.3 * 5e4 * 0.006 * 1.3221199657742158);
+  near(tribos.bolts({ count: 6, radius: 0.1, mu: 0.5 }).wrench({ vx: 0, vy: 0, spin: 3 }, 2).torque, -0.1);
+  assert.throws(() => tribos.ellipse({ a: 0.1, b: 0, mu: 0.5 }), RangeError);
+  assert.throws(() => tribos.box({ a: 1, b: 1, mu: [0.5, 0] }), { name: "RangeError", message: /across/ });
+  assert.throws(() => tribos.box({ a: 1, b: 1, mu: 0.5, axis: 1 }), /axis goes with/);
+  assert.throws(() => tribos.disk({ radius: 1, mu: [0.5, 0.9], alpha: 1 }), /without alpha/);
+});
+
+test("a parcel on two belts, and a robot that turns in place, find their steady motion", () => {
+  const parcel = tribos.box({ a: 0.3, b: 0.2, mu: 0.4 });
+  const belt = { corners: [0, 0, 1, 0], twist: { vx: 0.5, vy: 0, spin: 0 } };
+  const still = { vx: 0, vy: 0, spin: 0 };
+  // Half of the load on the belt: mu N/2 along it, at b/4.
+  const held = parcel.wrench(still, 20, { surface: [belt] });
+  near(held.fx, 4);
+  near(held.torque, -4 * 0.05);
+  assert.deepEqual([...parcel.jacobian(still, 20, { surface: [] })], Array(9).fill(0));
+  const motion = parcel.steadyMotion(20, [belt]);
+  near(motion.twist.vx, 0.25);
+  assert.ok(motion.twist.spin < 0 && motion.carriedBy === null && motion.evaluations < 25);
+  const floor = parcel.onSurfaces(20, [belt, { corners: [[0, -1], [1, -1], [1, 0], [0, 0]] }]);
+  assert.deepEqual([floor.count, floor.forceLimit], [3, 8]);
+  assert.throws(() => floor.steadyMotion({ fx: 8.1, fy: 0, torque: 0 }), /no motion is steady: the push is more than the 8 N/);
+  floor.free();
+  assert.throws(() => floor.wrench(still), /freed/);
+  const wheel = tribos.box({ a: 0.04, b: 0.02, mu: 0.7 });
+  const foot = (x, y) => ({
+    ...{ friction: wheel, load: 75, place: [x, y] },
+    surface: { vx: y < 0 ? 0.2 : -0.2, vy: 0, spin: 0 },
+  });
+  const places = [-0.2, 0.2].flatMap((x) => [-0.25, 0.25].map((y) => foot(x, y)));
+  near(tribos.feet(places).steadyMotion().twist.spin, 0.488, 5e-4);
+  const taken = tribos.feet([{ friction: tribos.disk({ radius: 0.1, mu: 0.3 }), load: 2, place: [1, 0], surface: { vx: 1, vy: 0, spin: 2 } }]);
+  assert.deepEqual(taken.steadyMotion(), {
+    ...{ twist: { vx: 1, vy: 0, spin: 2 }, friction: { fx: -0, fy: -0, torque: -0 } },
+    ...{ carriedBy: 0, evaluations: 1 },
+  });
+  assert.throws(() => tribos.feet([{ friction: {}, load: 1, place: [0, 0] }]), /friction of a foot/);
+  assert.throws(() => tribos.feet([]), RangeError);
+  const oil = tribos.disk({ radius: 0.1, mu: 0.3, alpha: 1 });
+  assert.throws(() => oil.onSurfaces(1, [belt]), /need dry friction/);
+});
+
 test("a body at rest stays there, in no time", () => {
   const still = { vx: 0, vy: 0, spin: 0 };
   for (const model of ["exact", "ellipsoid", "separate"]) {

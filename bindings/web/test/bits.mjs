@@ -206,6 +206,51 @@ export const others = {
     }
     frictionOf(chapter, points({ points: feet, law: oil }));
   },
+  floors: ({ bolts, box, disk, ellipse, feet, hertzEllipse, polygon }, chapter) => {
+    const tread = { mu: [0.5, 0.9], axis: 0.3 };
+    const round = disk({ radius: 0.04, mu: 0.3 });
+    const all = [
+      ellipse({ a: 0.3, b: 0.2, mu: 0.5 }),
+      hertzEllipse({ a: 0.2, b: 0.3, mu: 0.5 }),
+      bolts({ count: 5, radius: 0.1, mu: 0.5 }),
+      disk({ radius: 0.1, ...tread }),
+      hertzEllipse({ a: 0.3, b: 0.2, ...tread }),
+      polygon({ corners: notch, ...tread }),
+    ];
+    for (const friction of all) {
+      chapter.add(friction.mu, friction.radius, ...friction.centre);
+      frictionOf(chapter, friction, FEW);
+      surfaceOf(chapter, friction, "exact", FEW);
+    }
+    const floorOf = (floor) => {
+      chapter.add(floor.forceLimit, floor.count);
+      for (let call = 0; call < FEW; call++) {
+        const twist = chapter.twist();
+        chapter.add(...wrenchOf(floor.wrench(twist)), ...floor.jacobian(twist));
+        const { friction, carriedBy, evaluations, ...steady } = floor.steadyMotion(chapter.push(0.5, 0.05));
+        chapter.add(...twistOf(steady.twist), ...wrenchOf(friction), carriedBy ?? -1, evaluations);
+      }
+    };
+    const plate = [0.1, 0.05, 0.3, 0.05, 0.3, 0.2, 0.1, 0.2];
+    const surfaces = () => [
+      { corners: [0, 0.15, 0.4, 0.12], twist: chapter.twist() },
+      { corners: plate, twist: chapter.twist() },
+      { corners: [0.2, 0, 0.2, 0.1] },
+    ];
+    for (const friction of [polygon({ corners: notch, holes: [hole], mu: 0.5 }), all[5], round]) {
+      for (let call = 0; call < 5; call++) floorOf(friction.onSurfaces(20, surfaces()));
+    }
+    for (let call = 0; call < 10; call++) {
+      const foot = (friction) => ({
+        friction,
+        load: chapter.positive(9),
+        place: [chapter.signed(1), chapter.signed(1)],
+        degrees: chapter.signed(180),
+        surface: chapter.twist(),
+      });
+      floorOf(feet([round, all[0], all[5], box({ a: 0.3, b: 0.2, mu: 0.4 })].map(foot)));
+    }
+  },
   law: ({ law }, chapter) => {
     const made = law(oil);
     const speeds = Array.from({ length: CALLS }, () => chapter.signed(1));

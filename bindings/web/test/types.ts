@@ -9,8 +9,8 @@ import type {
   Rest, RolloutOptions, Rows, Source, Step, Twist, Wrench,
 } from "tribos";
 import type {
-  AnyPressure, Collision, ContactLaw, ContactOptions, Launch, LaunchOptions, Law, LawEntry, LawOptions, Plate,
-  PolygonOptions, RoundBody, RoundFriction, RoundOptions, Sphere, Vector,
+  AnyFriction, AnyPressure, Collision, ContactLaw, ContactOptions, Floor, Foot, Launch, LaunchOptions, Law, LawEntry,
+  LawOptions, Plate, PolygonOptions, RoundBody, RoundFriction, RoundOptions, Sphere, SteadyMotion, Surface, Vector,
 } from "tribos/all";
 
 const source: Source = new URL("https://example.org/tribos.wasm");
@@ -70,6 +70,13 @@ for (const friction of [all.polygon(outline), all.box({ a: 1, b: 2, mu: 1 }), al
 }
 all.points({ points: [[0, 0, 1], [1, 0, 1]], law });
 all.mesh({ vertices: [[0, 0, 1], [1, 0, 1], [0, 1, 2]], triangles: [[0, 1, 2]], mu: 1 });
+const belt: Surface = { corners: [[0, 0], [1, 0]], twist };
+const tread: AnyFriction = all.ellipse({ a: 1, b: 2, mu: [0.5, 0.9], axis: 0.1 });
+tread.wrench(twist, 1, { surface: [belt] });
+const steady: SteadyMotion = tread.steadyMotion(1, [belt, { corners: rows }], wrench);
+const floor: Floor = all.hertzEllipse({ a: 1, b: 2, mu: 1 }).onSurfaces(1, [belt]);
+const foot: Foot = { friction: all.bolts({ count: 6, radius: 1, mu: 1 }), load: 1, place: [0, 0], surface: steady.twist };
+all.feet([foot, { ...foot, degrees: 30 }]).steadyMotion(floor.wrench(steady.twist)).carriedBy?.toFixed();
 const thrown: RoundBody = ring.body(given);
 const wanted: LaunchOptions = { ...pose, maxSpeed: 3, maxSpin: 20, turns: "exact", symmetry: 2, most: 3 };
 const launches: Launch[] = thrown.launches(wanted);
@@ -89,3 +96,5 @@ console.log(entries, launches, carried, hit.torsion, all.version, all.PATH_COLUM
 small.disk({ mu: 0.3 });
 // @ts-expect-error polygons slide, but no launch is known for them
 all.polygon(outline).body(given).launches(wanted);
+// @ts-expect-error a foot stands somewhere
+all.feet([{ friction: puck, load: 1 }]);

@@ -79,10 +79,10 @@ fn every_function_refuses_null() {
     let text = format!(
         "#include \"tribos.h\"\n#include <stdio.h>\n\
          static double ones_f64[8192];\nstatic float ones_f32[8192];\n\
-         static double feet[64];\nstatic int refused = 1;\n\
+         static double zeros[64];\nstatic int refused = 1;\n\
          static void check(const char *name, int right)\n{{\n    if (!right) {{\n        \
          puts(name);\n        refused = 0;\n    }}\n}}\n\
-         int main(void)\n{{\n    void *doubles = ones_f64, *floats = ones_f32;\n    int i;\n\n    \
+         int main(void)\n{{\n    void *doubles = ones_f64, *floats = ones_f32, *feet = zeros;\n    int i;\n\n    \
          for (i = 0; i < 8192; ++i) {{\n        ones_f64[i] = 1;\n        ones_f32[i] = 1;\n    }}\n\
          {calls}    return !refused;\n}}\n"
     );

@@ -7,7 +7,7 @@ use alloc::rc::Rc;
 use alloc::vec::Vec;
 use core::cell::RefCell;
 use tribos_core::limit_surface::UnknownPressureSet;
-use tribos_friction::{AnyLaw, Law};
+use tribos_friction::{AnyLaw, Floor, Law};
 
 /// A thing that is kept.
 #[derive(Debug)]
@@ -18,6 +18,8 @@ pub enum Item {
     Law(Law, AnyLaw<f64>),
     /// Laws of a contact.
     Contact(ContactLaw),
+    /// A body on surfaces.
+    Floor(Floor),
     /// A support of which load and centre of pressure are known.
     AnyPressure(UnknownPressureSet<f64, Vec<[f64; 2]>>),
 }

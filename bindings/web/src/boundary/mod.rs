@@ -24,11 +24,15 @@ mod sets;
 #[cfg(feature = "all")]
 mod contacts;
 #[cfg(feature = "all")]
+mod floor;
+#[cfg(feature = "all")]
 mod prepared;
 
 pub use addresses::*;
 #[cfg(feature = "all")]
 pub use contacts::*;
+#[cfg(feature = "all")]
+pub use floor::*;
 pub use friction::*;
 pub use motion::*;
 #[cfg(feature = "all")]

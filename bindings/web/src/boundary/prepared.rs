@@ -23,9 +23,15 @@ pub(super) unsafe fn text<'a>(from: *const u8, length: usize) -> Result<&'a str,
 
 /// Keeps a patch: handle, radius, centre, coefficient and exponent.
 fn keep(area: Result<Area, FrictionError>, law: Result<&str, Refused>) -> u32 {
-    let made = area
-        .map_err(Refused::from)
-        .and_then(|area| Prepared::new(area, law?));
+    match law {
+        Ok(law) => keep_area(area.map_err(Refused::from), law),
+        Err(refused) => status(Err(refused)),
+    }
+}
+
+/// The same of an area that this crate made.
+pub(super) fn keep_area(area: Result<Area, Refused>, law: &str) -> u32 {
+    let made = area.and_then(|area| Prepared::new(area, law));
     status(made.map(|patch| {
         let (radius, [x, y]) = (patch.area.radius(), patch.area.centre());
         let [coefficient, alpha] = patch.power();
@@ -65,18 +71,22 @@ pub unsafe extern "C" fn make_polygon(
     law: *const u8,
     law_length: usize,
 ) -> u32 {
-    let corners = rows(corners, corner_count);
+    let loops = loops_of(rows(corners, corner_count), rows(counts, loop_count));
+    let is_uniform = centre_x.is_nan() && centre_y.is_nan();
+    let centre = (!is_uniform).then_some([centre_x, centre_y]);
+    keep(Area::polygon(&loops, centre), text(law, law_length))
+}
+
+/// The corners of each loop, by the number that each has.
+pub(super) fn loops_of<'a>(corners: &'a [[f64; 2]], counts: &[[f64; 1]]) -> Vec<&'a [[f64; 2]]> {
+    let mut rest = corners;
     // Exact: they come from whole numbers.
-    let mut rest = &corners[..];
-    let loops = rows(counts, loop_count).iter().map(|[count]| {
+    let loops = counts.iter().map(|[count]| {
         let (corners, after) = rest.split_at(rest.len().min(*count as usize));
         rest = after;
         corners
     });
-    let loops: Vec<&[[f64; 2]]> = loops.collect();
-    let is_uniform = centre_x.is_nan() && centre_y.is_nan();
-    let centre = (!is_uniform).then_some([centre_x, centre_y]);
-    keep(Area::polygon(&loops, centre), text(law, law_length))
+    loops.collect()
 }
 
 /// Points with weights.

@@ -4,12 +4,14 @@
 //! program leaves in `dist/bits.txt`. Neither side is a snapshot of the other.
 
 use tribos_core::contact::Attraction;
+use tribos_core::floor::SteadyState;
 use tribos_core::law::LocalLaw;
 use tribos_core::limit_surface::UnknownPressureSet;
 use tribos_core::patch::mesh::Vertex;
 use tribos_core::patch::nodes::Node;
 use tribos_core::slider::SliderParameters;
-use tribos_friction::Area;
+use tribos_core::twist::Twist;
+use tribos_friction::{Area, Coefficients, Floor, FootOnFloor};
 use tribos_web::all::contact::{ContactLaw, ContactParameters, GIVEN};
 use tribos_web::all::launches::LaunchTarget;
 use tribos_web::all::prepared::Prepared;
@@ -358,6 +360,97 @@ fn other_straight_edges(chapter: &mut Chapter) {
     friction_of(chapter, made(points(&feet), OIL), CALLS);
 }
 
+/// Friction under the larger of two coefficients.
+fn tread(area: Area) -> Friction {
+    let mu = tread_coefficients();
+    made(mu.on(area).unwrap(), "coulomb:mu=0.9")
+}
+
+fn tread_coefficients() -> Coefficients {
+    Coefficients::along_and_across([0.5, 0.9], 0.3).unwrap()
+}
+
+fn named(name: &str) -> Area {
+    Area::named(&name.parse().unwrap(), 1.0, None).unwrap()
+}
+
+fn floor_of(chapter: &mut Chapter, floor: &Floor) {
+    chapter.add(&[floor.limit(), floor.parts().len() as f64]);
+    for _ in 0..FEW {
+        let twist = twist_of(chapter.twist());
+        chapter.add(&row_of(&floor.wrench(&twist)));
+        chapter.add(&nine(&floor.wrench_jacobian(&twist)));
+        let push = wrench_of(chapter.push(0.5, 0.05));
+        let SteadyState::Balanced(found) = floor.steady_motion(&push) else {
+            panic!("no push is too large here")
+        };
+        chapter.add(&row_of_twist(&found.twist));
+        chapter.add(&row_of(&found.friction));
+        let carried_by = found.carried_by.map_or(-1.0, |foot| foot as f64);
+        chapter.add(&[carried_by, found.evaluations as f64]);
+    }
+}
+
+fn floors(chapter: &mut Chapter) {
+    let disk = |radius| Area::round(tribos_friction::Patch::Disk, radius).unwrap();
+    let notch = || Area::polygon(&[&NOTCH], None).unwrap();
+    let all = [
+        made(named("ellipse:0.3x0.2"), "coulomb:mu=0.5"),
+        made(named("hertz-ellipse:0.2x0.3"), "coulomb:mu=0.5"),
+        made(named("bolts:5x0.1"), "coulomb:mu=0.5"),
+        tread(disk(0.1)),
+        tread(named("hertz-ellipse:0.3x0.2")),
+        tread(notch()),
+    ];
+    for friction in all {
+        let centre = store::with(friction.patch.handle, |patch| Ok(patch.area.centre()));
+        chapter.add(&[friction.mu, friction.radius]);
+        chapter.add(&centre.unwrap());
+        friction_of(chapter, friction, FEW);
+        surface_of(chapter, friction, EXACT, FEW);
+    }
+    let one = |mu| Coefficients::isotropic(mu).unwrap();
+    let pierced = Area::polygon(&[&NOTCH, &HOLE], None).unwrap();
+    let areas = [
+        (pierced, one(0.5)),
+        (notch(), tread_coefficients()),
+        (disk(0.04), one(0.3)),
+    ];
+    for (area, mu) in &areas {
+        for _ in 0..5 {
+            let [first, second] = [(); 2].map(|()| twist_of(chapter.twist()));
+            let plate = [[0.1, 0.05], [0.3, 0.05], [0.3, 0.2], [0.1, 0.2]];
+            let surfaces = [
+                tribos_friction::Surface::half_plane([0.0, 0.15], [0.4, 0.12 - 0.15], first),
+                tribos_friction::Surface::polygon(&plate, second),
+                tribos_friction::Surface::half_plane([0.2, 0.0], [0.0, 0.1], Twist::ZERO),
+            ];
+            let surfaces = surfaces.map(Result::unwrap);
+            floor_of(chapter, &Floor::under(area, mu, 20.0, &surfaces).unwrap());
+        }
+    }
+    let areas = [
+        (disk(0.04), one(0.3)),
+        (named("ellipse:0.3x0.2"), one(0.5)),
+        (notch(), tread_coefficients()),
+        (named("box:0.3x0.2"), one(0.4)),
+    ];
+    for _ in 0..10 {
+        let feet: Vec<_> = areas
+            .iter()
+            .map(|(area, mu)| FootOnFloor {
+                area,
+                mu: *mu,
+                load: chapter.positive(9.0),
+                place: [chapter.signed(1.0), chapter.signed(1.0)],
+                degrees: chapter.signed(180.0),
+                surface: twist_of(chapter.twist()),
+            })
+            .collect();
+        floor_of(chapter, &Floor::feet(&feet).unwrap());
+    }
+}
+
 fn law(chapter: &mut Chapter) {
     let law: tribos_friction::Law = OIL.parse().unwrap();
     let law = law.build::<f64>().unwrap();
@@ -512,6 +605,7 @@ fn chapters() -> Vec<(&'static str, Run)> {
         ("round patches", Box::new(round_patches)),
         ("polygon", Box::new(polygon)),
         ("other straight edges", Box::new(other_straight_edges)),
+        ("floors", Box::new(floors)),
         ("law", Box::new(law)),
         ("launches", Box::new(launches)),
         ("any pressure", Box::new(any_pressure)),
