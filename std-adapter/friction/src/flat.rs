@@ -1,5 +1,6 @@
 //! Patches with straight edges and meshes by name, and their corners from files.
 
+use super::arc_piece::ArcPiece;
 use super::coefficients::quarters;
 use super::refusal::finite_number;
 use super::surface::DryRound;
@@ -68,6 +69,8 @@ pub enum Flat<R: Precision> {
     Points(PointPatch<R, OwnedNodes<R>>),
     /// An ellipse.
     Ellipse(Ellipse<R>),
+    /// A piece of a disk or an ellipse.
+    ArcPiece(Box<ArcPiece<R>>),
     /// Round, in a place of its own.
     Round(Box<RoundPatch<R, DryRound<R>>>),
     /// Any of these under friction that differs along two axes.
@@ -285,6 +288,7 @@ impl<R: Precision> Flat<R> {
             Self::Mesh(_)
             | Self::Points(_)
             | Self::Ellipse(_)
+            | Self::ArcPiece(_)
             | Self::Anisotropic(_)
             | Self::Feet(_) => {
                 return Err(FrictionError::Syntax(
@@ -306,6 +310,7 @@ macro_rules! each {
             Flat::Mesh($patch) => $answer,
             Flat::Points($patch) => $answer,
             Flat::Ellipse($patch) => $answer,
+            Flat::ArcPiece($patch) => $answer,
             Flat::Round($patch) => $answer,
             Flat::Anisotropic($patch) => $answer,
             Flat::Feet($patch) => $answer,
