@@ -7,12 +7,17 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use std::hint::black_box;
 use tribos_core::coupling::flat::{PatchShape, PolygonPowerLaw, ShapeFriction, ShapePowerFriction};
 use tribos_core::coupling::nodes::NodeFriction;
-use tribos_core::coupling::{RoundFriction, coulomb};
+use tribos_core::coupling::{RoundFriction, WornAnnulus, coulomb};
+use tribos_core::floor::{Feet, Foot};
 use tribos_core::law::CoulombLaw;
+use tribos_core::patch::anisotropic::{AnisotropicPatch, AxisCoefficients};
+use tribos_core::patch::arcs::{ArcOutline, Side};
+use tribos_core::patch::ellipse::{Ellipse, EllipsePressure};
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
 use tribos_core::patch::nodes::NodeList;
-use tribos_core::patch::outline::Polygon;
-use tribos_core::twist::Twist;
+use tribos_core::patch::outline::{Edge, Polygon};
+use tribos_core::patch::piece::HalfPlane;
+use tribos_core::twist::{Twist, Wrench};
 
 /// Largest difference between 504 nodes and the square they stand for, of the load.
 const CHECK: f64 = 1e-2;
@@ -137,6 +142,55 @@ fn polygons(criterion: &mut Criterion) {
         time(criterion, &name, |t| mesh.wrench_and_jacobian(1.0, t));
     }
     time(criterion, "square of 504 nodes", |t| nodes.wrench(1.0, t));
+    curved(criterion);
+    floors(criterion);
+}
+
+/// Ellipses, a worn annulus, half a disk.
+fn curved(criterion: &mut Criterion) {
+    for (name, pressure) in [
+        ("ellipse 3:2", EllipsePressure::Uniform),
+        ("ellipse 3:2, Hertz", EllipsePressure::Hertz),
+    ] {
+        let ellipse = dry(Ellipse::new([0.0; 2], [1.0, 2.0 / 3.0], pressure).expect("an ellipse"));
+        time(criterion, name, |t| ellipse.wrench(1.0, t));
+        let name = format!("{name}, Jacobian");
+        time(criterion, &name, |t| ellipse.wrench_and_jacobian(1.0, t));
+    }
+    let worn = WornAnnulus::new(0.6).expect("in range");
+    let worn = RoundFriction::new(worn, 1.0, 1.0).expect("1 is a valid coefficient");
+    time(criterion, "worn annulus 0.6", |t| worn.wrench(1.0, t));
+    let disk = Ellipse::new([0.0; 2], [1.0; 2], EllipsePressure::Uniform).expect("a disk");
+    let left = [[-2.0, -2.0], [0.0, -2.0], [0.0, 2.0], [-2.0, 2.0]];
+    let half = ArcOutline::cut(&disk, &left, [Side::default(); 11]).expect("half a disk");
+    let half = dry(half);
+    time(criterion, "half a disk", |t| half.wrench(1.0, t));
+}
+
+/// A square under two coefficients, and on two belts.
+fn floors(criterion: &mut Criterion) {
+    let square = Polygon::new(SQUARE).expect("a square");
+    let tread = AxisCoefficients::new([0.5, 1.0], [1.0, 0.0]).expect("two coefficients");
+    let tread = dry(AnisotropicPatch::new(square, tread).expect("a square"));
+    time(criterion, "square, two coefficients", |t| {
+        tread.wrench(1.0, t)
+    });
+    let seam = HalfPlane::new([0.0; 2], [1.0, 0.1]).expect("a border");
+    let halves = [(seam, 0.5), (seam.other_side(), -0.5)].map(|(side, speed)| {
+        let piece = square.within(&side, [Edge::default(); 8]);
+        let piece = piece.expect("room for its edges").expect("half of it");
+        Foot {
+            patch: piece.patch,
+            limit: piece.share,
+            surface: Twist::new(speed, 0.0, 0.0),
+        }
+    });
+    let belts = Feet::new(&halves).expect("two feet");
+    time(criterion, "square on two belts", |t| belts.wrench(t));
+    let push = |t: &Twist<f64>| Wrench::new(0.1 * t.velocity.x, 0.1 * t.velocity.y, 0.01);
+    time(criterion, "square on two belts, steady motion", |t| {
+        belts.steady_motion(&push(t))
+    });
 }
 
 criterion_group! {
