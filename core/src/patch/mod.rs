@@ -5,6 +5,7 @@
 
 pub mod arcs;
 mod arcs_cut;
+mod arcs_maker;
 pub mod bar;
 mod edge;
 pub mod ellipse;
