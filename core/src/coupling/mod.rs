@@ -12,8 +12,8 @@
 //! An [`Annulus`] is made of any disk, a worn one is [`WornAnnulus`], a polynomial in r² is a [`round::PolynomialTable`], and points or a pressure
 //! map are [`nodes::NodeFriction`].
 //!
-//! Polygons, bars and meshes under Coulomb's law have closed forms, a few ulp without a table: [`flat`]; polygons
-//! under |v|^α need 127 prepared numbers.
+//! Polygons, bars and meshes under Coulomb's law have closed forms, a few ulp without a table: [`flat`]; ellipses and
+//! curved sides are short sums that are as exact; polygons under |v|^α need 127 prepared numbers.
 //!
 //! Coulomb's forms are code and 0.4 to 0.8 KiB of numbers, and as many again where Jacobians are asked for (f32: 100 to
 //! 200 bytes). Tables take 14 KiB a law on the uniform disk and 48 KiB elsewhere (f32: 3 and 7 KiB) and the same time for

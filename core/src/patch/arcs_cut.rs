@@ -1,6 +1,7 @@
 //! An ellipse cut by a convex polygon.
 
-use super::arcs::{Maker, Side};
+use super::arcs::Side;
+use super::arcs_maker::Maker;
 use super::ellipse::Ellipse;
 use super::outline_error::OutlineError;
 use crate::real::Real;

@@ -111,6 +111,12 @@ impl<R: Real> Bar<R> {
         if !(steep.is_finite() && centre.x.is_finite() && centre.y.is_finite()) {
             return Err(OutlineError::Slope);
         }
+        // In half lengths, then in units of the longer part.
+        let reach = R::ONE + shift.abs();
+        let radius = self.radius * reach;
+        if !radius.is_finite() {
+            return Err(OutlineError::Extent);
+        }
         let lowest = R::ONE - steep.abs();
         if lowest < -(R::from_f64(LIFT_ULPS) * R::EPSILON) {
             return Err(OutlineError::LiftOff {
@@ -118,8 +124,6 @@ impl<R: Real> Bar<R> {
             });
         }
         let tangent = self.edge.tangent();
-        // In half lengths, then in units of the longer part.
-        let reach = R::ONE + shift.abs();
         let pressure = LinearPressure::new(
             R::ONE + steep * shift,
             [tangent.x, tangent.y].map(|part| part * steep * reach),
@@ -128,7 +132,7 @@ impl<R: Real> Bar<R> {
             edge: self.edge.about(&(self.edge.end() * shift), reach),
             pressure,
             centre,
-            radius: self.radius * reach,
+            radius,
         })
     }
 }

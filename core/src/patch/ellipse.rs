@@ -68,7 +68,7 @@ impl<R: Real> Ellipse<R> {
 
     /// The ellipse about a centre with semi-axes along x and y.
     ///
-    /// *Domain*: a finite centre; positive, finite semi-axes whose quotient is at most
+    /// *Domain*: a finite centre; semi-axes that are positive, normal numbers and whose quotient is at most
     /// [`Ellipse::MAX_ASPECT_RATIO`].
     pub fn new(
         centre: [R; 2],
@@ -131,7 +131,7 @@ impl<R: Real> Ellipse<R> {
         }
         let ratio = small / large;
         let least = R::from_f64(1.0 / Self::MAX_ASPECT_RATIO);
-        if !(large.is_finite() && small > R::ZERO && ratio >= least) {
+        if !(large.is_finite() && small >= R::MIN_POSITIVE && ratio >= least) {
             return Err(PatchError::SemiAxes { given });
         }
         // Rounding may leave the smaller one of half-diameters a bit larger.

@@ -8,6 +8,7 @@ pub mod affine_image;
 pub mod anisotropic;
 pub mod arcs;
 mod arcs_cut;
+mod arcs_maker;
 pub mod bar;
 mod edge;
 pub mod elastic;

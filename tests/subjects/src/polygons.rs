@@ -13,7 +13,7 @@ use tribos_core::patch::ellipse::{Ellipse, EllipsePressure};
 use tribos_core::patch::feet::{CompoundPatch, PatchPart};
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
 use tribos_core::patch::nodes::{Node, NodePatch, Nodes};
-use tribos_core::patch::outline::{Edge, Polygon, PressureField};
+use tribos_core::patch::outline::{Edge, OutlineError, Polygon, PressureField};
 use tribos_core::patch::points::PointPatch;
 use tribos_core::real::Real;
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
@@ -186,7 +186,7 @@ fn oval<R: Real>(input: &mut Input<'_>) -> Verdict {
     borne_if_mild(input, &patch)
 }
 
-/// A part of an ellipse, or borders that may bound nothing.
+/// A part of an ellipse, or half of one.
 fn cut<R: Real>(input: &mut Input<'_>) -> Verdict {
     let size = input.ordinary::<R>();
     let centre = near(input, size);
@@ -199,37 +199,46 @@ fn cut<R: Real>(input: &mut Input<'_>) -> Verdict {
         let corners = [[left, low], [right, low], [right, high], [left, high]];
         ArcOutline::cut(&ellipse, &corners, [Side::default(); ROOM])
     } else {
-        let half_diameters = [place(input, size), place(input, size)];
-        let [px, py] = half_diameters[0];
-        let (from, to) = if input.is_mild() {
-            (R::ZERO, R::PI)
-        } else {
-            (input.number(), input.number())
-        };
-        let borders = [
-            Border::Arc {
-                centre,
-                half_diameters,
-                from,
-                to,
-            },
-            Border::Line {
-                from: [centre[0] - px, centre[1] - py],
-                to: [centre[0] + px, centre[1] + py],
-            },
-        ];
-        let count = 1 + input.below(2);
-        ArcOutline::new(&borders[..count], [Side::default(); ROOM])
+        half::<R>(input, size, centre)
     };
     let patch = input.taken(made)?;
     placed(input, &patch.centre(), patch.radius())?;
-    let area = patch.area();
-    input.holds(
-        area > R::ZERO && !patch.sides().is_empty(),
-        "an area",
-        &[area],
-    )?;
-    borne_if_mild(input, &patch)
+    let (area, radius) = (patch.area(), patch.radius());
+    input.holds(!patch.sides().is_empty(), "sides", &[area])?;
+    // A sliver loses its aspect ratio in rounding.
+    if area > R::from_f64(0.2) * radius * radius {
+        borne_if_mild(input, &patch)
+    } else {
+        Ok(())
+    }
+}
+
+/// Half of an ellipse, or an arc and a line that may not meet.
+fn half<R: Real>(
+    input: &mut Input<'_>,
+    size: R,
+    centre: [R; 2],
+) -> Result<ArcOutline<R, [Side<R>; ROOM]>, OutlineError> {
+    let half_diameters = [place(input, size), place(input, size)];
+    let [px, py] = half_diameters[0];
+    let (from, to) = if input.is_mild() {
+        (R::ZERO, R::PI)
+    } else {
+        (input.number(), input.number())
+    };
+    let borders = [
+        Border::Arc {
+            centre,
+            half_diameters,
+            from,
+            to,
+        },
+        Border::Line {
+            from: [centre[0] - px, centre[1] - py],
+            to: [centre[0] + px, centre[1] + py],
+        },
+    ];
+    ArcOutline::new(&borders, [Side::default(); ROOM])
 }
 
 fn in_order<R: Real>(a: R, b: R) -> [R; 2] {

@@ -79,8 +79,8 @@ pub struct PointLoad<R: Real> {
 /// A patch of any shape under dry friction: its dissipated power and the derivatives of that.
 ///
 /// Implemented by the patches with straight edges of [`crate::patch::outline`], by meshes
-/// ([`crate::patch::mesh`]), ellipses ([`crate::patch::ellipse`]), points ([`crate::patch::points`]) and bodies on
-/// several of them ([`crate::patch::feet`]).
+/// ([`crate::patch::mesh`]), ellipses ([`crate::patch::ellipse`]), patches with curved sides ([`crate::patch::arcs`]),
+/// points ([`crate::patch::points`]) and bodies on several of them ([`crate::patch::feet`]).
 pub trait PatchShape<R: Real> {
     /// The centre of pressure, in the coordinates that twist and wrench refer to.
     fn centre(&self) -> Vector2<R>;

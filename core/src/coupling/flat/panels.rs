@@ -154,12 +154,13 @@ impl<R: Real, const N: usize> Panels<R, N> {
     /// The whole interval as one panel, if that is clear of all marks.
     #[inline(always)]
     pub fn joined(self) -> Self {
+        let length = self.end + self.end;
         let whole = Self {
             start: -self.end,
+            least: length,
             ..self
         };
-        let length = R::from_f64(NEARLY) * (whole.end + whole.end);
-        if whole.clear(R::ONE, R::ZERO) >= length {
+        if whole.clear(R::ONE, R::ZERO) >= R::from_f64(NEARLY) * length {
             whole
         } else {
             self
