@@ -11,15 +11,22 @@ use crate::coupling::table::Table;
 use crate::coupling::{
     DryReducedFriction, LateralFriction, PowerLawFriction, compact::CompactPower,
 };
+use crate::floor::{Feet, FloorStep, Foot, SteadyMotion, SteadyState};
 use crate::limit_surface::{
     FrictionSet, LimitEllipsoid, RoundLimitSurface, ShapeLimitSurface, UnknownPressureSet,
 };
+use crate::patch::affine_image::AffineMap;
+use crate::patch::anisotropic::{AnisotropicPatch, AxisCoefficients};
+use crate::patch::arcs::{ArcOutline, Side};
 use crate::patch::bar::Bar;
+use crate::patch::ellipse::Ellipse;
 use crate::patch::feet::{CompoundPatch, PatchPart};
 use crate::patch::mesh::{Mesh, Triangle};
 use crate::patch::nodes::{NodeBuffer, NodeList, NodePatch, NodeSlice};
 use crate::patch::outline::{Edge, Polygon, PressureField};
+use crate::patch::piece::HalfPlane;
 use crate::patch::points::PointPatch;
+use crate::patch::round::RoundPatch;
 use crate::planar::{ElasticState, ElasticStep, PlanarStep, PointContacts};
 use crate::presliding::{
     Anchor, PointPresliding, PointPreslidingStep, Pose, PreslidingStep, Settled,
@@ -108,7 +115,30 @@ formats! {
     [R: Real + Format, P: PatchShape<R>, S: AsRef<[PatchPart<R, P>]>] CompoundPatch<R, P, S>: |f|
         "{} feet, radius {}", f.feet().len(), f.radius();
     [R: Real + Format] PointLoad<R>: |p| "share {} at [{}, {}]", p.share, p.place.x, p.place.y;
-    [R: Real + Format] Bar<R>: |b| "bar of half length {}", b.radius();
+    [R: Real + Format, K: PressureField<R>] Bar<R, K>: |b| "bar, radius {}", b.radius();
+    [R: Real + Format, S: AsRef<[Side<R>]>] ArcOutline<R, S>: |p|
+        "patch of {} sides, radius {}", p.sides().len(), p.radius();
+    [R: Real + Format] Ellipse<R>: |e| "ellipse of semi-axes [{}, {}], pressure {}",
+        e.semi_axes()[0], e.semi_axes()[1], e.pressure();
+    [R: Real + Format] AffineMap<R>: |m| "rows [{}, {}], [{}, {}], shift [{}, {}]",
+        m.rows[0].x, m.rows[0].y, m.rows[1].x, m.rows[1].y, m.shift.x, m.shift.y;
+    [R: Real + Format] AxisCoefficients<R>: |c| "coefficients [{}, {}]", c.mu()[0], c.mu()[1];
+    [R: Real + Format, P: Format] AnisotropicPatch<R, P>: |p|
+        "{} stretched, shares [{}, {}]", p.stretched, p.shares[0], p.shares[1];
+    [R: Real + Format, C: Format] RoundPatch<R, C>: |p| "round patch of {}, radius {}",
+        p.coupling(), p.radius();
+    [R: Real + Format] HalfPlane<R>: |h| "half-plane along [{}, {}]", h.along.x, h.along.y;
+    [R: Real + Format, P: Format] Foot<R, P>: |f| "{}, limit {}, surface {}",
+        f.patch, f.limit, f.surface;
+    [R: Real + Format, P: PatchShape<R>] Feet<'_, R, P>: |f| "{} feet", f.feet().len();
+    [R: Real + Format] SteadyMotion<R>: |m| "{} under {}, carried by {}",
+        m.twist, m.friction, m.carried_by;
+    [R: Real + Format] SteadyState<R>: |s| "{}", match s {
+        SteadyState::Balanced(motion) | SteadyState::Missed(motion) => Some(*motion),
+        SteadyState::Accelerates => None,
+    };
+    [R: Real + Format] FloorStep<R>: |s| "{} under {}, carried by {}, imbalance {}",
+        s.twist, s.friction, s.carried_by, s.imbalance;
     [R: Real + Format, P: PatchShape<R>] ShapeLimitSurface<R, P>: |s|
         "limit surface of force {}, torque {}, radius {}",
         s.force_limit(), s.torque_limit(), s.radius();

@@ -128,6 +128,39 @@ def ball():
     drawing.write("ball.svg")
 
 
+def vehicle():
+    """Friction on the wheels of vehicle.md: at the spin of a differential drive, and where it is in balance."""
+    drawing, scale = Drawing(720, 400), 480.0
+    for middle, turn, title, torque in (
+        (180, 0.8, "0.80 rad/s, as by the formula", "friction brakes it with 42 N m"),
+        (540, 0.2 * 0.25 / (0.2**2 + 0.25**2), "0.49 rad/s", "friction has no torque"),
+    ):
+        drawing.text(middle, 384, title)
+        drawing.text(middle, 8, torque, ORANGE)
+        x, y = 0.26 * scale, 0.2 * scale
+        drawing.path(
+            [(middle + a * x, 200 + b * y) for a, b in ((1, 1), (-1, 1), (-1, -1), (1, -1), (1, 1))],
+            GREY,
+            1.5,
+            "#f3f3f3",
+        )
+        for x in (-0.2, 0.2):
+            for y in (-0.25, 0.25):
+                at = (middle + scale * x, 200 + scale * y)
+                rolls = 0.2 if y < 0 else -0.2
+                u, v = -turn * y - rolls, turn * x
+                size = hypot(u, v)
+                drawing.path([(at[0] - 26, at[1]), (at[0] + 26, at[1])], GREY, 17)
+                drawing.path([(middle, 200), at], GREY, 1.2, dash="6 5")
+                drawing.arrow(at[0], at[1] - 22, 220 * rolls, 0, GREEN, 2)
+                drawing.arrow(*at, -44 * u / size, -44 * v / size, BLUE, 3)
+        drawing.circle(middle, 200, 4, ORANGE, ORANGE)
+    drawing.text(360, 68, "rolls", GREEN)
+    drawing.text(360, 330, "friction", BLUE)
+    drawing.write("vehicle.svg")
+
+
 spin()
 soles()
 ball()
+vehicle()

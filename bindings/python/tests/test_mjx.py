@@ -394,6 +394,7 @@ def test_arguments_without_sense_are_refused():
             lambda: tribos.mjx.feet(model, {"post": DISK}, "ice"),
         ),
         (r"mu is missing", lambda: tribos.mjx.feet(model, [KEYS | {"mu": None}])),
+        (r"plugin's alone", lambda: tribos.mjx.feet(model, [KEYS | {"mu_s": 0.4}])),
         (
             r"feet take Coulomb friction \(mu=",
             lambda: tribos.mjx.feet(model, {"puck": viscous}, "ice"),

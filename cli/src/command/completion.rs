@@ -38,6 +38,7 @@ const COMPLETED: &[(&[&str], &str, Words)] = &[
     (&["wrench"], "patch", patches),
     (&["modes"], "patch", patches),
     (&["surface"], "patch", patches),
+    (&["coefficients"], "patch", patches),
     (&["onset"], "patch", patches),
     (&["onset"], "bond", bonds),
     (&["inverse"], "patch", patches),

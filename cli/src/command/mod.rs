@@ -1,6 +1,7 @@
 //! The subcommands, one module each.
 
 pub(crate) mod bodies;
+mod coefficients;
 mod completion;
 mod completions;
 mod contact;
@@ -67,7 +68,7 @@ pub fn program() -> clap::Command {
 }
 
 /// What `--help` of a command begins with: the documentation of its arguments.
-fn documentation() -> [(&'static str, StyledStr); 22] {
+fn documentation() -> [(&'static str, StyledStr); 23] {
     fn of<A: clap::Args>() -> StyledStr {
         let command = A::augment_args(clap::Command::new(""));
         let text = command.get_long_about().or(command.get_about());
@@ -78,6 +79,7 @@ fn documentation() -> [(&'static str, StyledStr); 22] {
         ("surface", of::<surface::Arguments>()),
         ("hold", of::<hold::Arguments>()),
         ("steady", of::<steady::Arguments>()),
+        ("coefficients", of::<coefficients::Arguments>()),
         ("onset", of::<onset::Arguments>()),
         ("push", of::<push::Arguments>()),
         ("modes", of::<modes::Arguments>()),
@@ -134,6 +136,8 @@ pub enum Command {
     Hold(hold::Arguments),
     /// The motion that a body on moving surfaces comes to: belts, treads, turntables, wheels that turn in place.
     Steady(steady::Arguments),
+    /// Torsional coefficients for engines that fit a patch best, and the error that remains.
+    Coefficients(coefficients::Arguments),
     /// Onset of sliding: what bonds hold under force and torque before the body slides.
     Onset(onset::Arguments),
     /// A body that a pusher moves over the floor: sticking or sliding, motion cone, path.
@@ -184,6 +188,7 @@ impl Command {
             Self::Surface(arguments) => arguments.execute(),
             Self::Hold(arguments) => arguments.execute(),
             Self::Steady(arguments) => arguments.execute(),
+            Self::Coefficients(arguments) => arguments.execute(),
             Self::Onset(arguments) => arguments.execute(),
             Self::Push(arguments) => arguments.execute(),
             Self::Modes(arguments) => arguments.execute(),

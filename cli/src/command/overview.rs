@@ -8,7 +8,15 @@ pub const GROUPS: [(&str, &[&str]); 6] = [
     (
         "One contact",
         &[
-            "wrench", "surface", "hold", "onset", "push", "laws", "modes", "fit",
+            "wrench",
+            "surface",
+            "hold",
+            "coefficients",
+            "onset",
+            "push",
+            "laws",
+            "modes",
+            "fit",
         ],
     ),
     (

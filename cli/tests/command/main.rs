@@ -3,6 +3,7 @@
 mod before;
 mod breaks;
 mod browser;
+mod coefficients;
 mod contact;
 mod deposit;
 mod eval;

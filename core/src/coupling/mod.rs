@@ -9,7 +9,7 @@
 //! | \|v\|^α, α ≤ 128 | [`compact::CompactPower`] | [`compact::CompactPower::with_pressure`] | 1e-14, slow |
 //! | any local law | [`quadrature::DiskQuadrature`] | [`nodes::NodeFriction`] | 1e-8, nodes 1e-3 |
 //!
-//! An [`Annulus`] is made of any disk, a polynomial in r² is a [`round::PolynomialTable`], and points or a pressure
+//! An [`Annulus`] is made of any disk, a worn one is [`WornAnnulus`], a polynomial in r² is a [`round::PolynomialTable`], and points or a pressure
 //! map are [`nodes::NodeFriction`].
 //!
 //! Polygons, bars and meshes under Coulomb's law have closed forms, a few ulp without a table: [`flat`]; polygons
@@ -44,6 +44,7 @@ mod profile;
 mod regime_table;
 mod rings;
 mod speeds;
+mod worn;
 
 pub mod compact;
 pub mod coulomb;
@@ -61,6 +62,7 @@ pub use lateral::LateralFriction;
 pub use loaded::LoadedFriction;
 pub(crate) use pressure_family::inertia_ends;
 pub use profile::{PowerLawFriction, unscaled_wrench};
+pub use worn::WornAnnulus;
 
 /// See [`crate::internals`].
 pub(crate) mod internals {

@@ -67,6 +67,7 @@ impl<R: Real> AffineMap<R> {
 ///
 /// Friction that differs along two axes is the same in all directions on such an image
 /// ([`super::anisotropic`]).
+#[doc(hidden)]
 pub trait AffineImage<R: Real>: PatchShape<R> + Sized {
     /// The image, which carries the same load; `None` if there is none of this kind.
     #[doc(hidden)]
@@ -108,7 +109,7 @@ where
     }
 }
 
-impl<R: Real> AffineImage<R> for Bar<R> {
+impl<R: Real, K: PressureField<R>> AffineImage<R> for Bar<R, K> {
     fn image(self, map: &AffineMap<R>) -> Option<Self> {
         Some(self.moved(map))
     }

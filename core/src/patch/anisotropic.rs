@@ -65,6 +65,11 @@ impl<R: Real> AxisCoefficients<R> {
         if along > across { along } else { across }
     }
 
+    /// Coefficients along the axis and across it.
+    pub fn mu(&self) -> [R; 2] {
+        self.mu
+    }
+
     /// Both over the larger one.
     pub(crate) fn shares(&self) -> [R; 2] {
         let largest = self.largest();

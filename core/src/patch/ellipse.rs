@@ -23,10 +23,11 @@ pub enum EllipsePressure {
 /// An ellipse under one of four pressures.
 ///
 /// *Units*: length. *Accuracy* of its friction, of μN and μN a about the centre: 1e-14 (f32: 1e-6) for aspect ratios up
-/// to 1e3 and any motion; the Jacobian 1e-12 (f32: 1e-5) of its largest entry, for a punch half of
-/// those digits where the centre of rotation lies on the edge. *Cost*: one disk's (Jacobian: two) for Hertz' pressure
-/// and the punch while the centre of rotation lies inside. Else 15 to 60 disks: 32 to 100 roots and twice as many
-/// divisions; up to 250 where the centre of rotation is next to the edge or in an ellipse of 1000:1.
+/// to 1e3 and any motion; the Jacobian 2e-12 (f32: 1e-5) of its largest entry, for a punch half of
+/// those digits where the centre of rotation lies on the edge. *Cost*: two disks (the Jacobian another half) for Hertz'
+/// pressure and the punch while the centre of rotation lies inside: complete elliptic integrals, found when the
+/// ellipse is made. Else 32 to 64 lines, each a root or two and three divisions, 5 to 15 boxes (the Jacobian
+/// 1.4 times that); 30 in the middle of an ellipse of 1000:1, and up to 60 next to the edge.
 ///
 /// ```
 /// use tribos_core::coupling::flat::ShapeFriction;
@@ -35,8 +36,8 @@ pub enum EllipsePressure {
 /// let wheel_on_rail = Ellipse::new([0.0_f64, 0.0], [0.006, 0.004], EllipsePressure::Hertz)?; // m
 /// let friction = ShapeFriction::new(wheel_on_rail, 0.3)?;
 /// let spinning = friction.wrench(5e4, &Twist::new(0.0, 0.0, 1.0)); // N; rad/s
-/// // 3/8 μ N a E(e) with E(√5/3) = 1.318472107994621
-/// assert!((spinning.torque + 0.375 * 0.3 * 5e4 * 0.006 * 1.318_472_107_994_621).abs() < 1e-13);
+/// // 3/8 μ N a E(e) with E(√5/3) = 1.3221199657742158
+/// assert!((spinning.torque + 0.375 * 0.3 * 5e4 * 0.006 * 1.322_119_965_774_216).abs() < 1e-12);
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

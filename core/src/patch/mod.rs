@@ -6,6 +6,8 @@
 #[doc(hidden)]
 pub mod affine_image;
 pub mod anisotropic;
+pub mod arcs;
+mod arcs_cut;
 pub mod bar;
 mod edge;
 pub mod elastic;

@@ -47,6 +47,8 @@ pub enum OutlineError {
         /// Which loop, from 0.
         in_loop: usize,
     },
+    /// The borders of a patch do not form closed loops.
+    Open,
     /// The distance between two corners or the centre of pressure is out of range.
     Extent,
     /// There are more corners than there is room for edges.
@@ -95,6 +97,7 @@ impl core::fmt::Display for OutlineError {
                 f,
                 "loop {in_loop} must lie inside of the first loop and outside of other holes"
             ),
+            Self::Open => f.write_str("each border must begin where another one ends"),
             Self::Extent => f.write_str("the distances between corners must be finite"),
             Self::Room { given, room } => {
                 write!(f, "there is room for {room} edges, not for {given}")

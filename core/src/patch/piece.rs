@@ -25,7 +25,7 @@ use nalgebra::Vector2;
 pub struct HalfPlane<R: Real> {
     point: Vector2<R>,
     /// Direction of the border, of length 1.
-    along: Vector2<R>,
+    pub(crate) along: Vector2<R>,
 }
 
 impl<R: Real> HalfPlane<R> {
@@ -99,6 +99,7 @@ impl<R: Real> HalfPlane<R> {
 
 /// A piece of a patch and what it carries.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Piece<R, P> {
     /// The piece, in the coordinates of the whole, about its own centre of pressure.
     pub patch: P,
@@ -107,6 +108,7 @@ pub struct Piece<R, P> {
 }
 
 /// A piece of a polygon.
+#[doc(hidden)]
 pub type PolygonPiece<R, S, K> = Piece<R, Polygon<R, S, K>>;
 
 /// A piece of less than this many rounding errors of the whole is none.

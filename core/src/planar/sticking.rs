@@ -14,7 +14,8 @@
 //!
 //! The right side is the power that the motion takes from the part of the push that sliding friction cannot balance. Where it
 //! is positive the body slides along, and is not caught at any speed and in any step: not the body that has just begun to
-//! slide, and not one that a push between μ_d and μ_s drives. A caught body stays at rest under the same push.
+//! slide, and not one that a push between μ_d and μ_s drives. A body that the static set has caught stays at rest under the same
+//! push.
 
 use super::step::is_beyond;
 use super::{PlanarBody, PlanarStep, PointContacts};
@@ -31,7 +32,7 @@ impl<R: Real> PlanarBody<R> {
     /// A body at rest, whose twist is exactly zero, keeps every bit of it while the push lies in `strength` × `set`;
     /// beyond, it slides under `set` in the same step. A body that moves is caught where the step would end at rest,
     /// and where it would reverse the motion (by kinetic energy, u·M u⁺ < 0) although the static set holds the body: never
-    /// while push less friction drives the motion. A caught body stays caught under the same push.
+    /// while push less friction drives the motion. A caught body stays under the same push if the static set holds that.
     ///
     /// *Units*: those of [`PlanarBody::step`]; `strength` is a ratio. *Domain*: 1 ≤ `strength`; less counts as 1, which has
     /// the bits of [`PlanarBody::step`]. `strength` may differ in each call: [`PlanarBody::step_ageing`] counts the time of rest for it.

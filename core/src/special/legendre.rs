@@ -1,5 +1,7 @@
 //! Gauss–Legendre rules of 4, 6, 8, 10 and 16 points on [−1, 1].
 
+use crate::real::Real;
+
 /// Points of the rules for double and for single precision: half the points are exact to half the digits.
 pub(crate) const POINTS: usize = 16;
 pub(crate) const FEW_POINTS: usize = 8;
@@ -42,3 +44,18 @@ pub(crate) const OF_10: [[f64; 2]; 5] = [
     [0.865_063_366_688_984_5, 0.149_451_349_150_580_6],
     [0.973_906_528_517_171_7, 0.066_671_344_308_688_14],
 ];
+
+/// Nodes and weights of 16 points on [−1, 1], of 8 in single precision.
+#[inline(always)]
+pub(crate) fn each_node<R: Real>(mut visit: impl FnMut(R, R)) {
+    let mut both = |[node, weight]: [f64; 2]| {
+        let (node, weight) = (R::from_f64(node), R::from_f64(weight));
+        visit(-node, weight);
+        visit(node, weight);
+    };
+    if R::IS_SINGLE {
+        FEW_HALF.into_iter().for_each(&mut both);
+    } else {
+        HALF.into_iter().for_each(&mut both);
+    }
+}

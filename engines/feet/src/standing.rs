@@ -5,7 +5,7 @@ use crate::elements::Elements;
 use crate::ended::Ended;
 use crate::foot::Foot;
 use crate::footprint::SurfaceAside;
-use crate::surface::Surface;
+use crate::surface::{Motion, Surface};
 use crate::symmetric::times;
 use tribos_core::contact::TimeStep;
 use tribos_core::limit_surface::LimitEllipsoid;
@@ -130,9 +130,51 @@ impl<'a> Standing<'a> {
         push: &Wrench<f32>,
         dt: TimeStep<f32>,
     ) -> Option<Ended> {
+        self.step_sticking(1.0, before, push, dt)
+    }
+
+    /// The same with friction that is `strength` = mu_s/mu_d times that of the feet while the body rests.
+    ///
+    /// A body at rest, whose motion is exactly zero, stays while the static friction holds it, and slides under that of the
+    /// feet beyond, in the same step ([`PlanarBody::step_sticking`]). A body that moves is caught where friction of the feet
+    /// brings it to rest, and one on a single foot also where it turns back under a push that static friction holds.
+    /// *Domain*: `strength` is finite; less than 1 counts as 1. `None` for NaN.
+    ///
+    /// ```
+    /// use tribos_core::contact::TimeStep;
+    /// use tribos_core::planar::PlanarBody;
+    /// use tribos_core::twist::{Twist, Wrench};
+    /// use tribos_feet::{Foot, Footprint, Standing};
+    /// let (stool, disk) = (PlanarBody::new(5.0, 0.1)?, Footprint::disk(0.02)?);
+    /// let feet = [[0.2, 0.0], [-0.1, 0.17], [-0.1, -0.17]].map(|place| Foot::new(&disk, 6.0, place)); // N, m
+    /// let (standing, dt) = (Standing::new(&stool, None, &feet), TimeStep::new(1.0 / 60.0)?);
+    /// // 18 N in motion, 27 N at rest.
+    /// let [held, slides] = [26.0, 28.0].map(|force| {
+    ///     standing.step_sticking(1.5, &Twist::ZERO, &Wrench::new(force, 0.0, 0.0), dt)
+    /// });
+    /// assert!(held.is_some_and(|end| end.is_at_rest()));
+    /// let speed = slides.ok_or("not finite")?.twist.velocity.x;
+    /// assert!((speed - (28.0 - 18.0) / 5.0 / 60.0).abs() < 1e-5); // m/s
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn step_sticking(
+        &self,
+        strength: f32,
+        before: &Twist<f32>,
+        push: &Wrench<f32>,
+        dt: TimeStep<f32>,
+    ) -> Option<Ended> {
+        if strength.is_nan() {
+            return None;
+        }
         let step = match &self.on {
             FootSolver::Elements(elements) => {
-                return elements.step(&self.mass(), before, push, dt.dt());
+                let held = (strength > 1.0 && *before == Twist::ZERO)
+                    .then(|| self.held(elements, strength, push, dt));
+                return match held.flatten() {
+                    Some(held) => Some(held),
+                    None => elements.step(&self.mass(), before, push, dt.dt()),
+                };
             }
             FootSolver::Exact {
                 surface,
@@ -140,7 +182,8 @@ impl<'a> Standing<'a> {
                 axis,
             } => {
                 let surface = surface.surface();
-                surface.step(*limit, *axis, self.body, before, push, dt)?
+                let motion = Motion { before, push, dt };
+                surface.step([*limit, strength], *axis, self.body, motion)?
             }
             FootSolver::Nothing => {
                 let nothing = LimitEllipsoid::new(0.0, 1.0, 1.0).ok()?;
@@ -153,6 +196,28 @@ impl<'a> Standing<'a> {
             holds: step.is_at_rest,
             all: Vec::new(),
         })
+    }
+
+    /// A body at rest on several feet, if static friction holds it: under a push and with a mass that are `strength` times
+    /// smaller the motion without friction is the same, and so is what holds it.
+    fn held(
+        &self,
+        elements: &Elements<'_>,
+        strength: f32,
+        push: &Wrench<f32>,
+        dt: TimeStep<f32>,
+    ) -> Option<Ended> {
+        let mass = self.mass().map(|part| part / f64::from(strength));
+        let reduced = *push * (1.0 / strength);
+        let mut end = elements.step(&mass, &Twist::ZERO, &reduced, dt.dt())?;
+        if !end.holds {
+            return None;
+        }
+        for foot in &mut end.all {
+            foot.wrench = foot.wrench * strength;
+        }
+        end.friction = -*push;
+        Some(end)
     }
 
     /// The fraction of a step until rest, for a step that began with `before` and ended at rest.

@@ -22,20 +22,19 @@ impl Surface {
         })
     }
 
-    /// The kernel's step of a body on this foot alone, whose x axis has the direction `axis`.
+    /// The kernel's step of a body on this foot alone, whose x axis has the direction `axis`, by its limit and the strength of
+    /// friction at rest.
     pub(crate) fn step(
         &self,
-        limit: f32,
+        limits: [f32; 2],
         axis: [f64; 2],
         body: &PlanarBody<f32>,
-        twist: &Twist<f32>,
-        push: &Wrench<f32>,
-        dt: TimeStep<f32>,
+        motion: Motion<'_>,
     ) -> Option<PlanarStep<f32>> {
         if self.is_round {
-            return step(&self.set, limit, body, twist, push, dt);
+            return step(&self.set, limits, body, motion);
         }
-        turned_step(&self.set, limit, axis, body, twist, push, dt)
+        turned_step(&self.set, limits, axis, body, motion)
     }
 
     /// `friction` as a fraction of the largest that this foot alone can carry.
@@ -57,33 +56,41 @@ impl fmt::Debug for Surface {
     }
 }
 
+/// A body's motion, what pushes it, and for how long.
+#[derive(Clone, Copy)]
+pub(crate) struct Motion<'a> {
+    pub(crate) before: &'a Twist<f32>,
+    pub(crate) push: &'a Wrench<f32>,
+    pub(crate) dt: TimeStep<f32>,
+}
+
 fn step(
     set: &Prepared,
-    limit: f32,
+    [limit, strength]: [f32; 2],
     body: &PlanarBody<f32>,
-    twist: &Twist<f32>,
-    push: &Wrench<f32>,
-    dt: TimeStep<f32>,
+    Motion { before, push, dt }: Motion<'_>,
 ) -> Option<PlanarStep<f32>> {
-    Some(body.step(&set.under(limit)?, twist, push, dt))
+    Some(body.step_sticking(&set.under(limit)?, strength, before, push, dt))
 }
 
 /// The step in the axes of the foot.
 fn turned_step(
     set: &Prepared,
-    limit: f32,
+    limits: [f32; 2],
     axis: [f64; 2],
     body: &PlanarBody<f32>,
-    twist: &Twist<f32>,
-    push: &Wrench<f32>,
-    dt: TimeStep<f32>,
+    Motion { before, push, dt }: Motion<'_>,
 ) -> Option<PlanarStep<f32>> {
-    let [x, y] = to_foot(axis, [twist.velocity.x, twist.velocity.y]);
-    let in_foot = Twist::new(x, y, twist.spin);
-    let end = step(set, limit, body, &in_foot, &to_foot_wrench(axis, push), dt)?;
+    let [x, y] = to_foot(axis, [before.velocity.x, before.velocity.y]);
+    let motion = Motion {
+        before: &Twist::new(x, y, before.spin),
+        push: &to_foot_wrench(axis, push),
+        dt,
+    };
+    let end = step(set, limits, body, motion)?;
     if end.is_at_rest {
         // All of the push is held: without the rounding of the rotation.
-        let friction = body.stopping_wrench(twist, push, dt.dt());
+        let friction = body.stopping_wrench(before, push, dt.dt());
         return Some(PlanarStep { friction, ..end });
     }
     let back = [axis[0], -axis[1]];

@@ -78,6 +78,51 @@ fn a_held_push_is_balanced_to_the_last_bit() {
 }
 
 #[test]
+fn a_body_at_rest_lets_go_at_its_static_limit_and_slides_under_the_kinetic_one() {
+    let (body, dt) = (body(), TimeStep::new(1.0 / 60.0).unwrap());
+    let (disk, strength) = (Footprint::disk(0.05).unwrap(), 1.5);
+    let one = [Foot::new(&disk, LIMIT, [0.0; 2])];
+    let places = [[0.1, 0.0], [-0.1, 0.05], [-0.1, -0.05], [0.1, 0.0]];
+    let many = places.map(|place| Foot::new(&disk, LIMIT / 4.0, place));
+    for feet in [&one[..], &many[..]] {
+        let standing = Standing::new(&body, None, feet);
+        for angle in [0.0_f32, 1.1] {
+            let at = |load: f32| Wrench::new(load * angle.cos(), load * angle.sin(), 0.0);
+            for share in [0.5, 0.9, 0.9999, 1.0001, 1.3] {
+                let push = at(share * strength * LIMIT);
+                let end = standing
+                    .step_sticking(strength, &Twist::ZERO, &push, dt)
+                    .unwrap();
+                assert_eq!(end.is_at_rest(), share < 1.0, "{} feet {share}", feet.len());
+                if end.is_at_rest() {
+                    assert_eq!(end.friction, -push);
+                    assert_eq!(end.twist, Twist::ZERO);
+                    // What the feet carry is the whole.
+                    let sum = (0..feet.len()).map(|n| end.foot(n).wrench.force);
+                    let sum = sum.fold(Vector2::zeros(), |sum, force| sum + force);
+                    assert!((sum + push.force).norm() < 1e-5 * push.force.norm());
+                    continue;
+                }
+                let kinetic = standing.step(&Twist::ZERO, &push, dt).unwrap();
+                assert_eq!(end.twist, kinetic.twist);
+                // It goes on under a push between both limits.
+                let between = at(1.2 * LIMIT);
+                let next = standing
+                    .step_sticking(strength, &end.twist, &between, dt)
+                    .unwrap();
+                assert!(!next.is_at_rest() && next.twist.speed() > end.twist.speed());
+            }
+        }
+        let push = Wrench::new(1.0, 0.0, 0.0);
+        assert!(
+            standing
+                .step_sticking(f32::NAN, &Twist::ZERO, &push, dt)
+                .is_none()
+        );
+    }
+}
+
+#[test]
 fn a_body_without_friction_moves_freely() {
     let (body, dt) = (body(), TimeStep::new(0.5).unwrap());
     let disk = Footprint::disk(0.1).unwrap();

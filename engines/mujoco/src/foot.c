@@ -135,6 +135,15 @@ void foot_motion(const foot *foot, const double *velocities, double motion[MOTIO
             motion[k] += foot->jacobian[MOTIONS * i + k] * velocities[foot->freedoms[i].index];
 }
 
+double foot_mu(const foot *foot, const double *state)
+{
+    if (!(state[STATE_HELD] > 0)) return foot->mu;
+    const double aged = state[STATE_RESTED] > foot->ageing_t0 && foot->ageing_b > 0
+                            ? foot->ageing_b * log(state[STATE_RESTED] / foot->ageing_t0)
+                            : 0;
+    return fmax(foot->mu_s + aged, foot->mu);
+}
+
 // sin(x)/x
 static double sinc(double x) { return fabs(x) > 0 ? sin(x) / x : 1; }
 

@@ -17,7 +17,8 @@ enum {
     STATE_TURNING = 9,       // angular acceleration about its normal without that friction, rad/s^2
     STATE_SLIP = 10,         // of its centre on its ground since friction holds it: m along the patch's x and y, rad
     STATE_MISSED = 13,       // steps so far in which a search for its friction stopped at its count
-    STATE_SIZE = 14
+    STATE_RESTED = 14,       // time for which friction has held it, s
+    STATE_SIZE = 15
 };
 
 typedef enum frame_kind { FRAME_GEOM, FRAME_BODY, FRAME_SITE } frame_kind;
@@ -45,6 +46,8 @@ typedef struct foot {
     frame_kind frame;
     int frame_index;
     double mu;
+    double mu_s;            // of a foot at rest, up to the time `ageing_t0`; less than mu counts as mu
+    double ageing_b, ageing_t0;  // it grows by b for each e-fold of its time at rest in units of t0, s
     const friction_set *set;
     freedom *freedoms;
     int freedom_count;
@@ -76,6 +79,9 @@ enum { JOINT_FREE, JOINT_BALL, JOINT_SLIDE, JOINT_HINGE };
 
 // Whether a body moves freely: alone in its tree, on a free joint without armature.
 bool body_is_free(const view *v, int body);
+
+// The coefficient of a foot with these states: that of rest if friction held it in the last step.
+double foot_mu(const foot *foot, const double *state);
 
 // Whether a geom is one of its grounds.
 bool foot_stands_on(const foot *foot, int ground);

@@ -168,6 +168,25 @@ static bool read_frame(const mjModel *m, foot *foot, const char *site, const ref
     return true;
 }
 
+// The coefficients, of which those at rest may be left out.
+static bool read_coefficients(foot *foot, const char *mu, const char *mu_s, const char *growth, const char *cut_off,
+                              const refusal *to)
+{
+    if (read_numbers(mu, &foot->mu, 1) != 1 || !(foot->mu >= 0) || isinf(foot->mu))
+        return refuse(to, "mu must be one number >= 0 and finite, not \"%s\"", mu);
+    foot->mu_s = foot->mu;
+    if (*mu_s && (read_numbers(mu_s, &foot->mu_s, 1) != 1 || !(foot->mu_s >= foot->mu) || isinf(foot->mu_s)))
+        return refuse(to, "mu_s, the coefficient at rest, must be one number >= mu and finite, not \"%s\"", mu_s);
+    if (!*growth != !*cut_off)
+        return refuse(to, "friction that ages has both ageing_b and ageing_t0: mu_s + b ln(t/t0)%s", "");
+    if (!*growth) return true;
+    if (read_numbers(growth, &foot->ageing_b, 1) != 1 || !(foot->ageing_b >= 0) || isinf(foot->ageing_b))
+        return refuse(to, "ageing_b must be one number >= 0 and finite, not \"%s\"", growth);
+    if (read_numbers(cut_off, &foot->ageing_t0, 1) != 1 || !(foot->ageing_t0 > 0) || isinf(foot->ageing_t0))
+        return refuse(to, "ageing_t0 must be one time in s, > 0 and finite, not \"%s\"", cut_off);
+    return true;
+}
+
 static bool read_foot(const mjModel *m, foot *foot, const refusal *to)
 {
     static const char *const keys[] = ATTRIBUTES;
@@ -190,8 +209,7 @@ static bool read_foot(const mjModel *m, foot *foot, const refusal *to)
     if (!patch) return refuse(to, "no memory for a patch");
     foot->set = &patch->set;
     if (!patch_read(patch, texts[3], texts[4], texts[5], to->why, to->room)) return false;
-    if (read_numbers(mu, &foot->mu, 1) != 1 || !(foot->mu >= 0) || isinf(foot->mu))
-        return refuse(to, "mu must be one number >= 0 and finite, not \"%s\"", mu);
+    if (!read_coefficients(foot, mu, texts[7], texts[8], texts[9], to)) return false;
     return read_frame(m, foot, site, to) && check_contacts(m, foot, to);
 }
 

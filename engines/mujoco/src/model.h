@@ -6,7 +6,8 @@
 #include "system.h"
 
 // Names of the attributes, in the order in which the plugin registers them.
-#define ATTRIBUTES {"geom", "ground", "site", "patch", "size", "corners", "mu"}
+#define ATTRIBUTES \
+    {"geom", "ground", "site", "patch", "size", "corners", "mu", "mu_s", "ageing_b", "ageing_t0"}
 
 // Prepares the feet of all instances in the plugin slot of instance `lead`. NULL with the reason in `why`,
 // and in `blamed` the instance.

@@ -447,25 +447,59 @@ static void slide(planar_foot *feet, int count, const double *compliance, double
         for (int i = 0; i < count; i++) memcpy(feet[i].friction, feet[i].midway, sizeof feet[i].friction);
 }
 
+// Brings all feet to rest at the end of the step, if their patches carry that.
+static bool hold(planar_foot *feet, int count, const double *compliance, double dt)
+{
+    for (int from_start = 0; from_start < 2; from_start++)
+        if (count > 1 && hold_together(feet, count, compliance, dt, from_start)) return true;
+    // A foot alone was held exactly; of several the last sweep moves those before.
+    return minimise_all(feet, count, compliance, 1 / dt) &&
+           (count == 1 || mark_held(feet, count, compliance, dt, STILL));
+}
+
+static void prepare(planar_foot *feet, int count, const double *compliance)
+{
+    for (int i = 0; i < count; i++) {
+        invert(feet + i, compliance + 9 * (count * i + i));
+        measure(feet + i);
+    }
+}
+
+static void exchange_limits(planar_foot *feet, int count)
+{
+    for (int i = 0; i < count; i++) {
+        const double limit = feet[i].limit;
+        feet[i].limit = feet[i].static_limit;
+        feet[i].static_limit = limit;
+    }
+}
+
+// Holds feet that were at rest within their static limits.
+static bool stay(planar_foot *feet, int count, const double *compliance, double dt)
+{
+    bool has_more = false;
+    for (int i = 0; i < count; i++) has_more = has_more || feet[i].static_limit > feet[i].limit;
+    if (!has_more) return false;
+    prepare(feet, count, compliance);
+    exchange_limits(feet, count);
+    const bool stays = !is_beyond(feet, count, compliance, dt) && hold(feet, count, compliance, dt);
+    exchange_limits(feet, count);
+    for (int i = 0; !stays && i < count; i++) feet[i].is_held = feet[i].is_missed = false;
+    return stays;
+}
+
 void step_solve(planar_foot *feet, int count, const double *compliance, double dt)
 {
     for (int i = 0; i < count; i++) feet[i].is_held = feet[i].is_missed = false;
+    if (stay(feet, count, compliance, dt)) return;
     if (count == 1) invert(feet, compliance);
     const bool is_sliding = is_beyond(feet, count, compliance, dt);
     if (is_sliding && follow(feet, count, compliance, dt)) return;
-    for (int i = 0; i < count; i++) {
-        if (count > 1) invert(feet + i, compliance + 9 * (count * i + i));
-        measure(feet + i);
-    }
+    prepare(feet, count, compliance);
 
     // Rest at the end of the step.
     if (!is_sliding) {
-        for (int from_start = 0; from_start < 2; from_start++)
-            if (count > 1 && hold_together(feet, count, compliance, dt, from_start)) return;
-        // A foot alone was held exactly; of several the last sweep moves those before.
-        if (minimise_all(feet, count, compliance, 1 / dt) &&
-            (count == 1 || mark_held(feet, count, compliance, dt, STILL)))
-            return;
+        if (hold(feet, count, compliance, dt)) return;
         for (int i = 0; i < count; i++) memcpy(feet[i].ended, feet[i].friction, sizeof feet[i].ended);
     }
     slide(feet, count, compliance, dt, !is_sliding);

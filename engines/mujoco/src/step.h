@@ -9,6 +9,7 @@
 typedef struct planar_foot {
     const friction_set *set;
     double limit;            // mu x load, in N
+    double static_limit;     // the same of a foot that was at rest in the step before, with the coefficient of rest
     double velocity[3];      // relative to its ground, m/s and rad/s
     double acceleration[3];  // without friction of the feet
     double start[3];         // friction of the step before
@@ -41,7 +42,8 @@ typedef struct planar_foot {
 
 // Finds friction such that each foot is at rest at the end of the step where the patches can carry that;
 // otherwise friction opposes the motion at half time, or at the end where a foot turns about. Each foot's friction is in
-// its set; while feet slide, friction gives no power to their mean motion, whatever the searches left.
+// its set; while feet slide, friction gives no power to their mean motion, whatever the searches left. Feet that are at rest
+// all together within their static limits stay so; beyond, the limits of sliding hold for all of them.
 // `compliance` has a row-major 3 x 3 block for each pair of feet: the acceleration of the first by unit friction on
 // the second.
 void step_solve(planar_foot *feet, int count, const double *compliance, double dt);

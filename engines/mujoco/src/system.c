@@ -144,6 +144,7 @@ static void take_foot(planar_foot *planar, const foot *foot, const double *state
 {
     planar->set = foot->set;
     planar->limit = foot->mu * state[STATE_LOAD];
+    planar->static_limit = foot_mu(foot, state) * state[STATE_LOAD];
     memcpy(planar->velocity, foot->velocity, sizeof planar->velocity);
     foot_in_plane(foot, state + STATE_ACCELERATION, planar->acceleration);
     planar->acceleration[2] = state[STATE_TURNING];
@@ -244,8 +245,10 @@ void system_push(const tribos_system *system, const view *v)
 }
 
 // What a touching foot remembers of friction, and of its acceleration by all forces, less that by friction.
-static void remember(const foot *foot, double load, const double by_all[3], double *state)
+static void remember(const foot *foot, double load, const double by_all[3], double dt, double *state)
 {
+    // Whole steps at rest count.
+    state[STATE_RESTED] = foot->is_held && state[STATE_HELD] > 0 ? state[STATE_RESTED] + dt : 0;
     state[STATE_LOAD] = load;
     foot_in_world(foot, foot->friction, state + STATE_FORCE);
     state[STATE_TORQUE] = foot->friction[2];
@@ -261,7 +264,9 @@ static void remember(const foot *foot, double load, const double by_all[3], doub
 // A foot that touches nothing; one that sleeps touches what it did.
 static void forget(const foot *foot, double *state)
 {
-    if (!foot->is_asleep) memset(state, 0, STATE_MISSED * sizeof(double));
+    if (foot->is_asleep) return;
+    memset(state, 0, STATE_MISSED * sizeof(double));
+    state[STATE_RESTED] = 0;
 }
 
 void system_remember(tribos_system *system, const view *v, const double *forces)
@@ -278,7 +283,7 @@ void system_remember(tribos_system *system, const view *v, const double *forces)
         // As the integrator made it.
         foot_motion(foot, v->qvel, motion);
         for (int k = 0; k < 3; k++) by_all[k] = (motion[k] - foot->motion[k]) / v->timestep;
-        remember(foot, load, by_all, state);
+        remember(foot, load, by_all, v->timestep, state);
         if (foot->is_held) add_slip(foot, v, motion, 1, state + STATE_SLIP);
     }
     system->is_current = false;
@@ -310,7 +315,7 @@ void system_recall(tribos_system *system, const view *v, bool has_passed)
         foot_motion(foot, v->qacc, motion);
         for (int at = foot->first; at >= 0; at = system->touches[at].next)
             load += normal_force(foot, system->touches + at, motion);
-        remember(foot, load, motion, state);
+        remember(foot, load, motion, v->timestep, state);
     }
     system->is_current = false;
 }

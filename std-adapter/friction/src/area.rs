@@ -65,6 +65,10 @@ impl<R: Precision> Area<R> {
         if !patch.has_axis() {
             return Err(FrictionError::NoAxis);
         }
+        if let Patch::WornAnnulus(_) = &patch {
+            let made = RoundPatch::new(DryRound::new(&patch)?, [R::ZERO; 2], radius)?;
+            return Ok(Self::Flat(Flat::Round(Box::new(made))));
+        }
         if let Patch::Polynomial(coefficients) = &patch {
             // Refuses what is negative anywhere.
             polynomial(coefficients)?;
@@ -111,7 +115,8 @@ impl<R: Precision> Area<R> {
     }
 
     /// The area as one of any shape.
-    pub(super) fn into_flat(self) -> Result<Flat<R>, FrictionError> {
+    #[doc(hidden)]
+    pub fn into_flat(self) -> Result<Flat<R>, FrictionError> {
         match self {
             Self::Flat(flat) => Ok(flat),
             Self::Round(patch, radius) => {

@@ -1,5 +1,6 @@
 //! Patches with straight edges and meshes by name, and their corners from files.
 
+use super::arc_piece::ArcPiece;
 use super::coefficients::quarters;
 use super::refusal::finite_number;
 use super::surface::DryRound;
@@ -60,12 +61,16 @@ pub enum Flat<R: Precision> {
     Leaning(Polygon<R, Vec<Edge<R>>, LinearPressure<R>>),
     /// Without an area.
     Bar(Bar<R>),
+    /// The same under linear pressure.
+    LeaningBar(Bar<R, LinearPressure<R>>),
     /// Of triangles, each under linear pressure.
     Mesh(Mesh<R, Vec<Triangle<R>>>),
     /// Points with weights.
     Points(PointPatch<R, OwnedNodes<R>>),
     /// An ellipse.
     Ellipse(Ellipse<R>),
+    /// A piece of a disk or an ellipse.
+    ArcPiece(Box<ArcPiece<R>>),
     /// Round, in a place of its own.
     Round(Box<RoundPatch<R, DryRound<R>>>),
     /// Any of these under friction that differs along two axes.
@@ -161,10 +166,20 @@ impl FlatPatch {
                 return Ok(Flat::Mesh(mesh(path)?));
             }
             Self::Bar(length) => {
-                own("a bar carries its load evenly")?;
                 let half = 0.5 * length;
                 let bar = Bar::new(narrow([-half, 0.0]), narrow([half, 0.0]));
-                return Ok(Flat::Bar(bar.map_err(tribos_core::Error::from)?));
+                let bar = bar.map_err(tribos_core::Error::from)?;
+                return match centre {
+                    None => Ok(Flat::Bar(bar)),
+                    Some([x, 0.0]) if x.abs() <= length / 6.0 => {
+                        let bar = bar.with_centre_of_pressure(R::from_f64(x));
+                        Ok(Flat::LeaningBar(bar.map_err(tribos_core::Error::from)?))
+                    }
+                    Some(_) => Err(FrictionError::Syntax(format!(
+                        "the centre of pressure of a bar lies in its middle third: give X,0 with |X| <= {}",
+                        length / 6.0
+                    ))),
+                };
             }
             Self::Bolts(count, radius) => {
                 own("bolts share the load evenly")?;
@@ -265,10 +280,15 @@ impl<R: Precision> Flat<R> {
             Self::Polygon(patch) => patch.radius_of_gyration(),
             Self::Leaning(patch) => patch.radius_of_gyration(),
             Self::Bar(bar) => bar.radius() / R::from_f64(3.0).sqrt(),
+            Self::LeaningBar(bar) => {
+                let [[x, y], [to_x, to_y]] = bar.ends();
+                (to_x - x).hypot(to_y - y) / R::from_f64(12.0).sqrt()
+            }
             Self::Round(patch) => patch.radius() / R::TWO.sqrt(),
             Self::Mesh(_)
             | Self::Points(_)
             | Self::Ellipse(_)
+            | Self::ArcPiece(_)
             | Self::Anisotropic(_)
             | Self::Feet(_) => {
                 return Err(FrictionError::Syntax(
@@ -286,9 +306,11 @@ macro_rules! each {
             Flat::Polygon($patch) => $answer,
             Flat::Leaning($patch) => $answer,
             Flat::Bar($patch) => $answer,
+            Flat::LeaningBar($patch) => $answer,
             Flat::Mesh($patch) => $answer,
             Flat::Points($patch) => $answer,
             Flat::Ellipse($patch) => $answer,
+            Flat::ArcPiece($patch) => $answer,
             Flat::Round($patch) => $answer,
             Flat::Anisotropic($patch) => $answer,
             Flat::Feet($patch) => $answer,

@@ -260,3 +260,70 @@ fn foot(piece: Piece<f64, Flat<f64>>, limit: f64, surface: Twist<f64>) -> Foot<f
         surface,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A disk on two belts, whose border runs off its middle, against a polygon of many corners of the same area.
+    #[test]
+    fn a_disk_on_two_belts_is_a_polygon_of_many_corners() {
+        let count = 2000_usize;
+        // The polygon of this radius has the area of the disk of radius 1.
+        let angle = std::f64::consts::TAU / count as f64;
+        let radius = (angle / libm_sin(angle)).sqrt();
+        let corners: Vec<[f64; 2]> = (0..count)
+            .map(|i| {
+                let [cos, sin] =
+                    super::super::coefficients::quarters(360.0 * i as f64 / count as f64);
+                [radius * cos, radius * sin]
+            })
+            .collect();
+        let polygon = Area::polygon(&[&corners], None).unwrap();
+        let disk = Area::round(super::super::Patch::Disk, 1.0).unwrap();
+        let belts = [
+            ([0.2, 0.1], [0.8, 0.6], Twist::new(0.5, 0.2, 0.0)),
+            ([-0.3, 0.0], [-1.0, 0.2], Twist::new(-0.4, 0.0, 0.7)),
+        ];
+        let belts = belts.map(|(at, along, twist)| Surface::half_plane(at, along, twist).unwrap());
+        for mu in ["0.5", "0.5,0.2,30deg"] {
+            let mu: Coefficients = mu.parse().unwrap();
+            let [whole, many] =
+                [&disk, &polygon].map(|area| Floor::under(area, &mu, 10.0, &belts).unwrap());
+            assert_eq!(whole.parts().len(), 3);
+            assert!((whole.limit() - 5.0).abs() < 1e-14);
+            for twist in [[0.1, 0.2, 0.0], [0.5, 0.1, 1.0], [-0.1, 0.3, -2.0]] {
+                let twist = Twist::new(twist[0], twist[1], twist[2]);
+                let off = whole.wrench(&twist) - many.wrench(&twist);
+                // The border of the polygon lies within 1e-6 of the circle.
+                assert!(
+                    off.force.norm() < 2e-6 && off.torque.abs() < 2e-6,
+                    "{off:?}"
+                );
+            }
+        }
+    }
+
+    fn libm_sin(x: f64) -> f64 {
+        tribos_core::real::Real::sin(x)
+    }
+
+    #[test]
+    fn feet_that_are_pieces_have_the_friction_of_the_whole() {
+        let parcel = Area::named(&"box:0.3x0.2".parse().unwrap(), 1.0, None).unwrap();
+        let mu = Coefficients::isotropic(0.4).unwrap();
+        let still =
+            Surface::polygon(&[[0.02, -0.05], [0.1, -0.03], [0.05, 0.07]], Twist::ZERO).unwrap();
+        let [plain, cut] =
+            [&[][..], &[still]].map(|all| Floor::under(&parcel, &mu, 20.0, all).unwrap());
+        assert!(plain.parts().len() == 1 && cut.parts().len() == 4);
+        for twist in [[0.1, 0.2, 0.0], [0.0, 0.0, 1.0], [-0.1, 0.3, -2.0]] {
+            let twist = Twist::new(twist[0], twist[1], twist[2]);
+            let off = plain.wrench(&twist) - cut.wrench(&twist);
+            assert!(
+                off.force.norm() < 1e-12 && off.torque.abs() < 1e-13,
+                "{off:?}"
+            );
+        }
+    }
+}

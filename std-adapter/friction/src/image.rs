@@ -1,10 +1,10 @@
 //! Areas turned, moved and stretched, and cut along straight borders.
 
+use super::arc_piece::ArcPiece;
 use super::flat::Flat;
 use super::surface::DryRound;
 use super::{FrictionError, OwnedNodes, Precision};
 use tribos_core::patch::affine_image::{AffineImage, AffineMap, image_of};
-use tribos_core::patch::bar::Bar;
 use tribos_core::patch::ellipse::{Ellipse, EllipsePressure};
 use tribos_core::patch::feet::{CompoundPatch, PatchPart};
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
@@ -21,9 +21,12 @@ impl<R: Precision> AffineImage<R> for Flat<R> {
             Self::Polygon(patch) => Self::Polygon(patch.image(map)?),
             Self::Leaning(patch) => Self::Leaning(patch.image(map)?),
             Self::Bar(patch) => Self::Bar(patch.image(map)?),
+            Self::LeaningBar(patch) => Self::LeaningBar(patch.image(map)?),
             Self::Mesh(patch) => Self::Mesh(patch.image(map)?),
             Self::Points(patch) => Self::Points(patch.moved(map, |nodes| nodes.moved(map))),
             Self::Ellipse(patch) => Self::Ellipse(patch.image(map)?),
+            // Pieces are made of patches that are in their place.
+            Self::ArcPiece(_) => return None,
             Self::Round(patch) => return round_image(*patch, map),
             Self::Anisotropic(patch) => Self::Anisotropic(Box::new(patch.placed(map)?)),
             Self::Feet(feet) => {
@@ -45,16 +48,7 @@ fn round_image<R: Precision>(
 ) -> Option<Flat<R>> {
     let [first, second] = map.rows;
     if first.x != second.y || first.y != -second.x {
-        let pressure = match patch.coupling() {
-            DryRound::Disk(_) => EllipsePressure::Uniform,
-            DryRound::Hertz(_) => EllipsePressure::Hertz,
-            DryRound::Punch(_) => EllipsePressure::FlatPunch,
-            DryRound::Paraboloid(_) => EllipsePressure::Paraboloid,
-            _ => return None,
-        };
-        let semi_axes = [patch.radius(); 2];
-        let ellipse = Ellipse::new(patch.centre().into(), semi_axes, pressure).ok()?;
-        return Some(Flat::Ellipse(ellipse.image(map)?));
+        return Some(Flat::Ellipse(elliptic(&patch)?.image(map)?));
     }
     let scale = first.x.hypot(first.y);
     let centre = map.of(&patch.centre()).into();
@@ -98,10 +92,12 @@ impl<R: Precision> Flat<R> {
                     .map_err(tribos_core::Error::from)?;
                 piece.map(|piece| of(piece, Self::Leaning))
             }
-            Self::Bar(bar) => bar_within(bar, side)?,
+            Self::Bar(bar) => bar.within(side).map(|piece| of(piece, Self::Bar)),
+            Self::LeaningBar(bar) => bar.within(side).map(|piece| of(piece, Self::LeaningBar)),
             Self::Mesh(mesh) => mesh_within(mesh, side)?,
             Self::Points(points) => points_within(points, side)?,
-            Self::Ellipse(patch) => ellipse_within(patch, side)?,
+            Self::Ellipse(patch) => ArcPiece::of_ellipse(patch, side)?,
+            Self::ArcPiece(patch) => patch.within(side)?,
             Self::Round(patch) => round_within(patch, side)?,
             Self::Anisotropic(patch) => {
                 let piece = patch.within(side, Self::within)?;
@@ -127,33 +123,6 @@ impl<R: Precision> Flat<R> {
             }
         })
     }
-}
-
-/// The part of a bar on one side.
-fn bar_within<R: Precision>(
-    bar: &Bar<R>,
-    side: &HalfPlane<R>,
-) -> Result<Option<Piece<R, Flat<R>>>, FrictionError> {
-    let [from, to] = bar.ends();
-    let whole = |share| Piece {
-        patch: Flat::Bar(*bar),
-        share,
-    };
-    let Some(at) = side.crossing([from, to]) else {
-        return Ok(side.contains(from).then(|| whole(R::ONE)));
-    };
-    let met = [0, 1].map(|i| from[i] + (to[i] - from[i]) * at);
-    let (ends, share) = if side.contains(from) {
-        ([from, met], at)
-    } else {
-        ([met, to], R::ONE - at)
-    };
-    // A piece that is lost in rounding is none.
-    let piece = Bar::new(ends[0], ends[1]).ok().filter(|_| share > R::ZERO);
-    Ok(piece.map(|bar| Piece {
-        patch: Flat::Bar(bar),
-        share,
-    }))
 }
 
 /// The triangles, and parts of triangles, on one side.
@@ -221,38 +190,38 @@ fn points_within<R: Precision>(
     }))
 }
 
-/// An ellipse on one side.
-fn ellipse_within<R: Precision>(
-    patch: &Ellipse<R>,
-    side: &HalfPlane<R>,
-) -> Result<Option<Piece<R, Flat<R>>>, FrictionError> {
-    let centre = patch.centre();
-    let distance = side.distance_of([centre.x, centre.y]);
-    if distance.abs() < patch.radius() {
-        return Err(FrictionError::Unserved(
-            "a border runs through or next to an ellipse: give its outline as a polygon".into(),
-        ));
-    }
-    Ok((distance > R::ZERO).then(|| Piece {
-        patch: Flat::Ellipse(*patch),
-        share: R::ONE,
-    }))
-}
-
-/// A round patch on one side.
+/// A round patch on one side; one that is cut is a piece of an ellipse.
 fn round_within<R: Precision>(
     patch: &RoundPatch<R, DryRound<R>>,
     side: &HalfPlane<R>,
 ) -> Result<Option<Piece<R, Flat<R>>>, FrictionError> {
     let centre = patch.centre();
     let distance = side.distance_of([centre.x, centre.y]);
-    if distance.abs() < patch.radius() {
-        return Err(FrictionError::Unserved(
-            "a border runs through a round patch: give its outline as a polygon".into(),
-        ));
+    if distance.abs() >= patch.radius() {
+        return Ok((distance > R::ZERO).then(|| Piece {
+            patch: Flat::Round(Box::new(*patch)),
+            share: R::ONE,
+        }));
     }
-    Ok((distance > R::ZERO).then(|| Piece {
-        patch: Flat::Round(Box::new(*patch)),
-        share: R::ONE,
-    }))
+    match elliptic(patch) {
+        Some(ellipse) => ArcPiece::of_ellipse(&ellipse, side),
+        None => Err(FrictionError::Unserved(
+            "a border runs through a ring, an annulus or another round patch whose pressure is not uniform: give the patch \
+             as a mesh of triangles, or as points"
+                .into(),
+        )),
+    }
+}
+
+/// A round patch as an ellipse, if it has the pressure of one.
+fn elliptic<R: Precision>(patch: &RoundPatch<R, DryRound<R>>) -> Option<Ellipse<R>> {
+    let pressure = match patch.coupling() {
+        DryRound::Disk(_) => EllipsePressure::Uniform,
+        DryRound::Hertz(_) => EllipsePressure::Hertz,
+        DryRound::Punch(_) => EllipsePressure::FlatPunch,
+        DryRound::Paraboloid(_) => EllipsePressure::Paraboloid,
+        _ => return None,
+    };
+    let semi_axes = [patch.radius(); 2];
+    Ellipse::new(patch.centre().into(), semi_axes, pressure).ok()
 }

@@ -34,6 +34,7 @@
 //!
 //! A loop over many evaluations is quicker with the kernel's own type, which pays for no dispatch.
 
+mod arc_piece;
 mod area;
 mod area_friction;
 mod catalogue;

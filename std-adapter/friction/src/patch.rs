@@ -5,7 +5,7 @@ use super::{FlatPatch, FrictionError};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
-use tribos_core::coupling::Annulus;
+use tribos_core::coupling::{Annulus, WornAnnulus};
 use tribos_core::patch::PowerPressure;
 
 /// A contact patch: its shape and how it spreads the load. Lengths are in radii.
@@ -30,6 +30,8 @@ pub enum Patch {
     Ring,
     /// Uniform pressure between this fraction of the radius and the radius.
     Annulus(f64),
+    /// The pressure 1/r of a worn facing between this fraction of the radius and the radius: exact for dry friction.
+    WornAnnulus(f64),
     /// The pressure √(1−r²) of elastic spheres.
     Hertz,
     /// The pressure 1/√(1−r²) of a rigid flat punch.
@@ -47,7 +49,7 @@ pub enum Patch {
 }
 
 /// Number of patches that are written here.
-const OWN: usize = 9;
+const OWN: usize = 10;
 
 /// These, and then those of [`FlatPatch`].
 const fn with_flat_ones(
@@ -75,6 +77,10 @@ impl Patch {
         ("disk", "uniform pressure"),
         ("ring", "all load on the rim"),
         ("annulus:INNER", "uniform from INNER, in radii, to the rim"),
+        (
+            "worn-annulus:INNER",
+            "1/r from INNER, in radii, to the rim, as worn clutches and thrust bearings",
+        ),
         ("hertz", "sqrt(1 - r^2)"),
         ("punch", "1/sqrt(1 - r^2)"),
         ("paraboloid", "1 - r^2"),
@@ -101,7 +107,11 @@ impl Patch {
             Self::Punch => Some(PowerPressure::FLAT_PUNCH),
             Self::Paraboloid => Some(PowerPressure::PARABOLOID),
             Self::Power(pressure) => Some(*pressure),
-            Self::Annulus(_) | Self::Polynomial(_) | Self::Points(_) | Self::Flat(_) => None,
+            Self::Annulus(_)
+            | Self::WornAnnulus(_)
+            | Self::Polynomial(_)
+            | Self::Points(_)
+            | Self::Flat(_) => None,
         }
     }
 
@@ -154,6 +164,7 @@ impl fmt::Display for Patch {
             Self::Disk => f.write_str("disk"),
             Self::Ring => f.write_str("ring"),
             Self::Annulus(inner) => write!(f, "annulus:{inner}"),
+            Self::WornAnnulus(inner) => write!(f, "worn-annulus:{inner}"),
             Self::Hertz => f.write_str("hertz"),
             Self::Punch => f.write_str("punch"),
             Self::Paraboloid => f.write_str("paraboloid"),
@@ -214,6 +225,10 @@ fn with_parameters(name: &str, rest: &str, text: &str) -> Result<Patch, Friction
                 Annulus::<f64, ()>::MAX_INNER_RATIO
             ))),
             _ => missing("one number, such as annulus:0.8"),
+        },
+        "worn-annulus" => match *numbers()? {
+            [inner] => Ok(Patch::WornAnnulus(WornAnnulus::new(inner)?.inner_ratio())),
+            _ => missing("the inner over the outer radius, such as worn-annulus:0.6"),
         },
         "power" if rest.is_empty() => missing("the order q of (1-r^2)^q, such as power:0.25"),
         "power" => match *numbers()? {

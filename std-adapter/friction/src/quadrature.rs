@@ -263,13 +263,16 @@ pub fn round_nodes<R: Real>(
             let ring = NodeList::<R, NODES>::ring(radius, rings * rings)?;
             Ok(leaned(ring.nodes(), lean).collect())
         }
-        Patch::Annulus(inner) => {
-            // Rings between the inner and the outer radius, with equal shares of the area.
+        Patch::Annulus(inner) | Patch::WornAnnulus(inner) => {
+            // Rings between the inner and the outer radius, with equal shares of the area, or of the width.
             let mut nodes = Vec::new();
             for i in 0..rings {
                 let share = (f64::from(i) + 0.5) / f64::from(rings);
-                let r_sq = inner * inner + share * (1.0 - inner * inner);
-                let at = radius * R::from_f64(r_sq).sqrt();
+                let at = match patch {
+                    Patch::WornAnnulus(_) => R::from_f64(inner + share * (1.0 - inner)),
+                    _ => R::from_f64(inner * inner + share * (1.0 - inner * inner)).sqrt(),
+                };
+                let at = radius * at;
                 let ring = NodeList::<R, { ANGLES as usize }>::ring(at, angles)?;
                 nodes.extend(leaned(ring.nodes(), lean));
             }

@@ -7,7 +7,7 @@ use std::fmt;
 use std::path::Path;
 use tribos_core::coupling::{
     Annulus, DryProfile, DryReducedFriction, ReducedFriction, ReducedJacobian, ReducedWrench,
-    coulomb, coulomb::CoulombDisk,
+    WornAnnulus, coulomb, coulomb::CoulombDisk,
 };
 use tribos_core::internals::DominantSpeed;
 use tribos_core::limit_surface::{
@@ -168,6 +168,7 @@ pub enum DryRound<R: Precision> {
     Punch(coulomb::CoulombPunch),
     Paraboloid(coulomb::CoulombParaboloid),
     Annulus(Annulus<R, CoulombDisk>),
+    Worn(WornAnnulus<R>),
     Power(DryProfile<R::Round>),
     Polynomial(R::Polynomial),
 }
@@ -182,6 +183,7 @@ macro_rules! each {
             Self::Punch($dry) => $work,
             Self::Paraboloid($dry) => $work,
             Self::Annulus($dry) => $work,
+            Self::Worn($dry) => $work,
             Self::Power($dry) => $work,
             Self::Polynomial($dry) => $work,
         }
@@ -197,6 +199,7 @@ impl<R: Precision> DryRound<R> {
             Patch::Punch => Self::Punch(coulomb::CoulombPunch),
             Patch::Paraboloid => Self::Paraboloid(coulomb::CoulombParaboloid),
             Patch::Annulus(inner) => Self::Annulus(Annulus::new(CoulombDisk, R::from_f64(*inner))?),
+            Patch::WornAnnulus(inner) => Self::Worn(WornAnnulus::new(R::from_f64(*inner))?),
             Patch::Power(pressure) => Self::Power(DryProfile::new(R::round(R::ZERO, *pressure)?)?),
             Patch::Polynomial(coefficients) => Self::Polynomial(R::dry_polynomial(coefficients)?),
             Patch::Points(_) | Patch::Flat(_) => return Err(FrictionError::NoAxis),

@@ -82,6 +82,12 @@ impl Tier {
             Err(FrictionError::Tier { tier, reason, cure })
         };
         let is_polynomial = matches!(patch, Patch::Polynomial(_));
+        if self == Self::Exact && matches!(patch, Patch::WornAnnulus(_)) {
+            return refused(
+                "has no final motion of a worn annulus".into(),
+                Some(Self::Quadrature),
+            );
+        }
         match (self, law.power_of_speed()) {
             (Self::Quadrature, _) => Ok(()),
             (Self::Exact, None) => refused(

@@ -139,6 +139,7 @@ fn smooth<R: Precision, V: Smooth<R>>(
     let pressure = patch.pressure().unwrap_or(PowerPressure::UNIFORM);
     match (patch, tier) {
         (Patch::Points(_) | Patch::Flat(_), _) => Err(FrictionError::NoAxis),
+        (Patch::WornAnnulus(_), _) => Err(FrictionError::NoProfile),
         (Patch::Disk, _) => disk(alpha, tier, visitor),
         (_, Tier::Quadrature) => Err(FrictionError::NoProfile),
         (Patch::Polynomial(a), Tier::Exact) => R::polynomial(narrow, a, visitor),

@@ -9,7 +9,7 @@ use tribos_core::coupling::coulomb::{
 use tribos_core::coupling::quadrature::DiskQuadrature;
 use tribos_core::coupling::{
     Annulus, DryProfile, LateralFriction, PowerLawFriction, ReducedFriction, ReducedJacobian,
-    RoundFriction, unscaled_wrench,
+    RoundFriction, WornAnnulus, unscaled_wrench,
 };
 use tribos_core::internals::{DominantSpeed, LeanProfile, SmoothProfile, Speeds};
 use tribos_core::law::PowerLaw;
@@ -55,7 +55,7 @@ pub fn closed<R: Real>(input: &mut Input<'_>) -> Verdict {
 
 /// One patch that is made of another.
 pub fn combined<R: Real>(input: &mut Input<'_>) -> Verdict {
-    match input.below(4) {
+    match input.below(5) {
         0 => {
             let dry = input.taken(DryProfile::new::<R>(CoulombHertz))?;
             smooth::<R>(input, &dry)
@@ -67,6 +67,16 @@ pub fn combined<R: Real>(input: &mut Input<'_>) -> Verdict {
             profile(input, &lean, speeds)
         }
         2 => annulus::<R>(input, CoulombDisk),
+        3 => {
+            let ratio = inner_ratio::<R>(input);
+            let band = input.taken(WornAnnulus::new(ratio))?;
+            let own = band.inner_ratio();
+            input.holds(own == ratio, "its inner ratio", &[own])?;
+            let speeds = [input.number(), input.number()];
+            profile(input, &band, speeds)?;
+            exact(input, &band, speeds)?;
+            batches(input, &band)
+        }
         _ => {
             let alpha = R::from_f64(input.one_of(&EXPONENTS));
             let power = input.taken(CompactPower::new(alpha))?;

@@ -28,6 +28,7 @@ mod bonds;
 mod contacts;
 mod couplings;
 mod digest;
+mod floors;
 mod input;
 mod laws;
 mod manifolds;
@@ -100,7 +101,7 @@ macro_rules! subject {
 }
 
 /// All of them. As a static they are compiled here, once, not in every program that walks them.
-pub static SUBJECTS: [Subject; 24] = [
+pub static SUBJECTS: [Subject; 25] = [
     subject!("laws", 100, Little, laws::memoryless),
     subject!("laws with memory", 100, Little, laws::with_memory),
     subject!("bonds", 20, Little, bonds::bonds),
@@ -136,5 +137,6 @@ pub static SUBJECTS: [Subject; 24] = [
     subject!("feet", 20, Little, planes::feet),
     subject!("presliding", 40, Little, presliding::presliding),
     subject!("polygons", 35, Memory, polygons::polygons),
+    subject!("floors", 20, Memory, floors::floors),
     subject!("supports", 8, Memory, supports::supports),
 ];

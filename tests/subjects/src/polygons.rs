@@ -7,6 +7,7 @@ use tribos_core::coupling::flat::{
     PatchShape, PolygonPowerLaw, PowerLawPatch, ShapeFriction, ShapePowerFriction,
 };
 use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
+use tribos_core::patch::arcs::{ArcOutline, Border, Side};
 use tribos_core::patch::bar::Bar;
 use tribos_core::patch::ellipse::{Ellipse, EllipsePressure};
 use tribos_core::patch::feet::{CompoundPatch, PatchPart};
@@ -24,25 +25,27 @@ type Shape<R, K> = Polygon<R, [Edge<R>; ROOM], K>;
 
 /// One patch.
 pub fn polygons<R: Real>(input: &mut Input<'_>) -> Verdict {
-    match input.below(10) {
+    match input.below(11) {
         0 => any_corners::<R>(input),
         1 => {
             let ends = [(); 2].map(|()| [input.number::<R>(), input.number()]);
             let bar = input.taken(Bar::new(ends[0], ends[1]))?;
             placed(input, &bar.centre(), bar.radius())?;
-            rubs(input, &bar)
+            rubs(input, &bar)?;
+            tilted(input, bar)
         }
         2 => blade::<R>(input),
         3 => faces::<R>(input),
         4 => spikes::<R>(input),
         5 => sledge::<R>(input),
         6 => oval::<R>(input),
+        7 => cut::<R>(input),
         _ => star::<R>(input),
     }
 }
 
 /// A place that is not far from the origin in units of `size`.
-fn near<R: Real>(input: &mut Input<'_>, size: R) -> [R; 2] {
+pub fn near<R: Real>(input: &mut Input<'_>, size: R) -> [R; 2] {
     [(); 2].map(|()| size * R::from_f64(4.0 * input.unit::<f64>() - 2.0))
 }
 
@@ -83,6 +86,19 @@ fn blade<R: Real>(input: &mut Input<'_>) -> Verdict {
     let set = ShapeLimitSurface::new(bar, input.size());
     let set = input.taken(set)?;
     asked(input, &set)
+}
+
+/// The same under linear pressure, if it carries it.
+fn tilted<R: Real>(input: &mut Input<'_>, bar: Bar<R>) -> Verdict {
+    let part = R::from_f64(2.4 * input.unit::<f64>() - 1.2);
+    let made = match input.below(3) {
+        0 => bar.with_slope(part / bar.radius()),
+        1 => bar.with_centre_of_pressure(part * bar.radius() / R::from_f64(3.0)),
+        _ => bar.with_slope(input.number()),
+    };
+    let wedge = input.taken(made)?;
+    placed(input, &wedge.centre(), wedge.radius())?;
+    rubs(input, &wedge)
 }
 
 /// Triangles anywhere, or around a middle.
@@ -170,6 +186,56 @@ fn oval<R: Real>(input: &mut Input<'_>) -> Verdict {
     borne_if_mild(input, &patch)
 }
 
+/// A part of an ellipse, or borders that may bound nothing.
+fn cut<R: Real>(input: &mut Input<'_>) -> Verdict {
+    let size = input.ordinary::<R>();
+    let centre = near(input, size);
+    let made = if input.one_in(2) {
+        let semi_axes = [(); 2].map(|()| size * (R::from_f64(0.2) + input.unit::<R>()));
+        let ellipse = Ellipse::new(centre, semi_axes, EllipsePressure::Uniform);
+        let ellipse = input.taken(ellipse)?;
+        let [[a, b], [c, d]] = [near(input, size), near(input, size)];
+        let ([left, right], [low, high]) = (in_order(a, c), in_order(b, d));
+        let corners = [[left, low], [right, low], [right, high], [left, high]];
+        ArcOutline::cut(&ellipse, &corners, [Side::default(); ROOM])
+    } else {
+        let half_diameters = [place(input, size), place(input, size)];
+        let [px, py] = half_diameters[0];
+        let (from, to) = if input.is_mild() {
+            (R::ZERO, R::PI)
+        } else {
+            (input.number(), input.number())
+        };
+        let borders = [
+            Border::Arc {
+                centre,
+                half_diameters,
+                from,
+                to,
+            },
+            Border::Line {
+                from: [centre[0] - px, centre[1] - py],
+                to: [centre[0] + px, centre[1] + py],
+            },
+        ];
+        let count = 1 + input.below(2);
+        ArcOutline::new(&borders[..count], [Side::default(); ROOM])
+    };
+    let patch = input.taken(made)?;
+    placed(input, &patch.centre(), patch.radius())?;
+    let area = patch.area();
+    input.holds(
+        area > R::ZERO && !patch.sides().is_empty(),
+        "an area",
+        &[area],
+    )?;
+    borne_if_mild(input, &patch)
+}
+
+fn in_order<R: Real>(a: R, b: R) -> [R; 2] {
+    if a < b { [a, b] } else { [b, a] }
+}
+
 /// A patch that is at most a few times as long as wide, at times with a hole.
 fn star<R: Real>(input: &mut Input<'_>) -> Verdict {
     let size = input.ordinary::<R>();
@@ -221,7 +287,7 @@ const DIRECTIONS: [[f64; 2]; 8] = [
     [0.75, -0.75],
 ];
 
-fn placed<R: Real>(input: &mut Input<'_>, centre: &nalgebra::Vector2<R>, radius: R) -> Verdict {
+pub fn placed<R: Real>(input: &mut Input<'_>, centre: &nalgebra::Vector2<R>, radius: R) -> Verdict {
     let fine = centre.x.is_finite() && centre.y.is_finite() && radius.is_finite();
     input.holds(
         fine && radius > R::ZERO,
@@ -266,7 +332,7 @@ fn borne_if_mild<R: Real>(input: &mut Input<'_>, patch: &impl PatchShape<R>) -> 
 }
 
 /// Friction at any motion, or the set of what is carried.
-fn borne<R: Real>(input: &mut Input<'_>, patch: &impl PatchShape<R>) -> Verdict {
+pub fn borne<R: Real>(input: &mut Input<'_>, patch: &impl PatchShape<R>) -> Verdict {
     if input.one_in(2) {
         return rubs(input, patch);
     }
@@ -276,7 +342,7 @@ fn borne<R: Real>(input: &mut Input<'_>, patch: &impl PatchShape<R>) -> Verdict 
 }
 
 /// Friction at any motion.
-fn rubs<R: Real>(input: &mut Input<'_>, patch: &impl PatchShape<R>) -> Verdict {
+pub fn rubs<R: Real>(input: &mut Input<'_>, patch: &impl PatchShape<R>) -> Verdict {
     let friction = ShapeFriction::new(patch, input.size::<R>());
     let friction = input.taken(friction)?;
     let coefficient = friction.coefficient();

@@ -16,8 +16,10 @@ from tribos._mjx_solve import Groups
 
 Name = str | tuple[str, ...]
 # Attributes of the plugin, in the order in which it registers them; and the numbers of its state.
-KEYS = ("geom", "ground", "site", "patch", "size", "corners", "mu")
-PLUGIN_STATE = 14
+KEYS = ("geom", "ground", "site", "patch", "size", "corners", "mu", "mu_s", "ageing_b", "ageing_t0")
+PLUGIN_STATE = 15
+# Keys of friction at rest, which MJX does not have.
+AT_REST = KEYS[7:]
 ROUND = {
     "disk": _patches.disk,
     "ring": _patches.ring,
@@ -67,6 +69,8 @@ def of_keys(keys: Mapping[str, Any]) -> Given:
     try:
         if keys.get("mu") in (None, ""):
             raise ValueError("mu is missing: give the coefficient of friction")
+        if any(keys.get(key) not in (None, "") for key in AT_REST):
+            raise ValueError(f"{', '.join(AT_REST)} are the plugin's alone: leave them out")
         mu = number("mu", float(keys["mu"]) if isinstance(keys["mu"], str) else keys["mu"])
         return Given(
             name, Friction(_patch(keys), mu=mu), geoms, grounds, str(keys.get("site") or "")

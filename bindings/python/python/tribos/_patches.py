@@ -35,6 +35,7 @@ __all__ = [
     "power",
     "punch",
     "ring",
+    "worn_annulus",
 ]
 
 MAKERS = __all__[1:]
@@ -44,7 +45,7 @@ MAKERS = __all__[1:]
 class Patch(Frozen):
     """A contact patch: its shape and how it spreads the load.
 
-    Made by `disk`, `ring`, `annulus`, `hertz`, `punch`, `paraboloid`, `power`, `polynomial`, `ellipse`,
+    Made by `disk`, `ring`, `annulus`, `worn_annulus`, `hertz`, `punch`, `paraboloid`, `power`, `polynomial`, `ellipse`,
     `hertz_ellipse`, `polygon`, `box`, `bar`, `mesh`, `points`, `bolts` and `anisotropic`. Immutable, comparable and
     picklable.
 
@@ -196,6 +197,26 @@ def annulus(inner: float, outer: float) -> Patch:
     small, large = number("inner", inner), positive("outer", outer)
     native = _native.Patch.named(f"annulus:{small / large!r}", large)
     return Patch("annulus", (("inner", small), ("outer", large)), native)
+
+
+def worn_annulus(inner: float, outer: float) -> Patch:
+    """The pressure ``1/r`` between two radii, as the facing of a clutch or a thrust bearing wears to; for dry friction.
+
+    Parameters
+    ----------
+    inner, outer
+        Radii, in m, with ``0 <= inner < outer``.
+
+    Examples
+    --------
+    >>> import tribos
+    >>> clutch = tribos.Friction(tribos.worn_annulus(0.06, 0.10), mu=0.35)
+    >>> round(-float(clutch.wrench([0.0, 0.0, 20.0], load=4000.0)[2]), 6)   # mu F (r_o + r_i)/2, in N m
+    112.0
+    """
+    small, large = number("inner", inner), positive("outer", outer)
+    native = _native.Patch.named(f"worn-annulus:{small / large!r}", large)
+    return Patch("worn_annulus", (("inner", small), ("outer", large)), native)
 
 
 def hertz(radius: float) -> Patch:

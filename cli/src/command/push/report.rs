@@ -13,7 +13,13 @@ pub fn text(scene: &PushScene, answer: &PushResult) -> String {
     let [right, left] = answer.cone.angles();
     line(
         "body",
-        format!("{}, {} N, mu {}", scene.patch, scene.load, scene.mu),
+        match scene.mu_across {
+            None => format!("{}, {} N, mu {}", scene.patch, scene.load, scene.mu),
+            Some(across) => format!(
+                "{}, {} N, mu {} along the axis and {across} across it",
+                scene.patch, scene.load, scene.mu
+            ),
+        },
     );
     if let Some(grip) = &answer.grip {
         let holds = if grip.is_stable {

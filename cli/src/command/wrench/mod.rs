@@ -173,7 +173,7 @@ impl Arguments {
             }
         }
         let is_planar = self.surface.is_some() || !self.coefficient.is_isotropic();
-        if is_planar || matches!(self.patch, Patch::Flat(_)) {
+        if is_planar || matches!(self.patch, Patch::Flat(_) | Patch::WornAnnulus(_)) {
             return planar::of_edges::<R>(self);
         }
         if let Patch::Points(points) = &self.patch

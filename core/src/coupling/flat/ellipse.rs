@@ -19,12 +19,12 @@
 //!
 //! Inside the ellipse t = |d| sin x and all lines count; punch and Hertz then are complete elliptic integrals
 //! ([`super::ellipse_closed`]). Outside t = sin σ and sin x = t/|d|. The
-//! integrand in z = tan(angle/2) is analytic but for places known in advance ([`super::ellipse_panels`]): Δ = 0,
+//! integrand in z = tan(angle/2) is analytic but for places known in advance ([`super::panels`]): Δ = 0,
 //! and tangents to the edge.
 
 use super::ellipse_closed::closed;
-use super::ellipse_panels::{Complex, Panels};
 use super::motion::Motion;
+use super::panels::{Complex, Panels};
 use super::{Hessian, PatchShape, Reduced};
 use crate::patch::ellipse::{Ellipse, EllipsePressure};
 use crate::real::Real;
@@ -244,7 +244,10 @@ impl<R: Real> Seen<R> {
         let edge = Complex::new(dy, within.sqrt()).over(R::ONE + dx);
         let marks = [thin, edge, edge.inverse().negative()];
         Panels {
+            end: R::ONE,
             start: R::ZERO,
+            least: R::ZERO,
+            most: R::ONE,
             marks,
         }
         .each(&mut |z, _, weight| {
@@ -291,7 +294,15 @@ impl<R: Real> Seen<R> {
             [image.negative(); 2]
         };
         let marks = [thin, image, tangents[0], tangents[1]];
-        Panels { start, marks }.each(&mut |z, apart, weight| {
+        let (end, least, most) = (R::ONE, R::ZERO, R::ONE);
+        Panels {
+            end,
+            start,
+            least,
+            most,
+            marks,
+        }
+        .each(&mut |z, apart, weight| {
             let share = R::ONE / (R::ONE + z * z);
             let (at, root) = (R::TWO * z * share, (R::ONE - z) * (R::ONE + z) * share);
             let cos = (beyond + near * near * root * root).sqrt();

@@ -13,17 +13,18 @@
 //! [`ShapePowerFriction`] is the same for friction γ|q|^α, α > −1.
 
 mod anisotropic;
+mod arcs;
 mod bar;
 mod cone;
 mod ellipse;
 mod ellipse_closed;
-mod ellipse_panels;
 pub(crate) mod feet;
 mod linear;
 mod mesh;
 mod motion;
 pub(super) mod moving_edge;
 mod pair_of_numbers;
+mod panels;
 mod points;
 mod pole_far;
 mod pole_near;

@@ -68,7 +68,11 @@ pub(super) fn summed<R: Real, L: Summed<Real = R>, const N: usize>(
 
 /// Friction of the sums of [`MovingEdge::wrench`].
 #[inline(always)]
-fn reduced<R: Real>([x, y, turn]: [R; 3], motion: &UnitMotion<R>, share: R) -> Reduced<R> {
+pub(super) fn reduced<R: Real>(
+    [x, y, turn]: [R; 3],
+    motion: &UnitMotion<R>,
+    share: R,
+) -> Reduced<R> {
     let w = motion.spin;
     let by = w * share;
     let third = R::from_f64(1.0 / 3.0);
@@ -85,9 +89,17 @@ pub(super) fn friction_and_hessian<R: Real>(
     motion: &Motion<R>,
 ) -> (Reduced<R>, Hessian<R>) {
     let (motion, rate) = UnitMotion::of(motion);
-    let [fx, fy, turn, xx, xy, yy, xn, yn, nn] =
-        summed::<R, R::Several, 9>(edges, &motion, MovingEdge::wrench_and_hessian);
-    let share = R::ONE / area;
+    let sums = summed::<R, R::Several, 9>(edges, &motion, MovingEdge::wrench_and_hessian);
+    reduced_and_hessian(sums, (motion, rate), R::ONE / area)
+}
+
+/// Friction and second derivatives of the sums of [`MovingEdge::wrench_and_hessian`].
+#[inline(always)]
+pub(super) fn reduced_and_hessian<R: Real>(
+    [fx, fy, turn, xx, xy, yy, xn, yn, nn]: [R; 9],
+    (motion, rate): (UnitMotion<R>, R),
+    share: R,
+) -> (Reduced<R>, Hessian<R>) {
     let (x, y, w) = (motion.x, motion.y, motion.spin);
     let hessian = Hessian {
         xx: share * xx,
@@ -123,14 +135,14 @@ impl<R: Real> Hessian<R> {
 impl<L: Summed<Real: Real>> MovingEdge<L> {
     /// τ β and H β − 2 (v·τ) β″
     #[inline(always)]
-    fn wrench(&self) -> [L; 3] {
+    pub(super) fn wrench(&self) -> [L; 3] {
         let (beta, [x, y]) = (self.beta(), self.sides.tangent);
         let rest = self.along * self.beta_rest();
         [x * beta, y * beta, self.sides.offset * beta - (rest + rest)]
     }
 
     #[inline(always)]
-    fn wrench_and_hessian(&self) -> [L; 9] {
+    pub(super) fn wrench_and_hessian(&self) -> [L; 9] {
         let ([a, b, c], [d, e, f, g, h, i]) = (self.wrench(), self.hessian());
         [a, b, c, d, e, f, g, h, i]
     }

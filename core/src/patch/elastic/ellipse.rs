@@ -62,7 +62,7 @@ pub struct HertzEllipse<R> {
     ratio: R,
 }
 
-/// Newton steps at most; six were the most in 10⁵ ratios over twenty decades.
+/// Newton steps at most; four were the most in 10⁵ ratios over twenty decades.
 const MOST_STEPS: u32 = 12;
 /// Rounding errors of a step after which none follows.
 const STILL_ULPS: f64 = 8.0;

@@ -13,7 +13,7 @@ use tribos_base::record::json_number;
 use tribos_core::Real;
 use tribos_core::limit_surface::UnknownPressureSet;
 use tribos_core::twist::{Twist, Wrench};
-use tribos_friction::{Area, FrictionError, Patch};
+use tribos_friction::{Area, Coefficients, FrictionError, Patch};
 
 /// The scene of a pushed body that comes with the program.
 #[doc(hidden)]
@@ -46,8 +46,12 @@ impl PushScene {
     /// The path of a straight pusher that does not hold the body is not followed: it has its start alone.
     pub fn run(&self) -> Result<PushResult, PushError> {
         self.check()?;
-        let set = Area::named(&self.patch, self.radius, pair(self.centre_x, self.centre_y))?
-            .limit_surface(self.mu * self.load)?;
+        let mu = Coefficients::along_and_across(
+            [self.mu, self.mu_across.unwrap_or(self.mu)],
+            self.axis,
+        )?;
+        let area = Area::named(&self.patch, self.radius, pair(self.centre_x, self.centre_y))?;
+        let set = mu.on(area)?.limit_surface(mu.largest() * self.load)?;
         let shape = Shape::of(&self.patch, self.radius)?;
         let [x, y] = [self.contact_x, self.contact_y];
         let mu = self.mu_pusher;
@@ -144,7 +148,8 @@ fn point(scene: &PushScene, shape: &Shape) -> Result<(PointContact, PushedSide),
 
 /// The yaw limit if of the pressure only the centre is known.
 fn any_pressure(scene: &PushScene, shape: &Shape) -> Result<Option<f64>, PushError> {
-    let Some(centroid) = shape.centroid else {
+    // Of friction that differs along two axes nothing is known under any pressure.
+    let (Some(centroid), None) = (shape.centroid, scene.mu_across) else {
         return Ok(None);
     };
     let centre = pair(scene.centre_x, scene.centre_y).unwrap_or(centroid);

@@ -27,6 +27,10 @@ scene! {
     radius: f64 = 0.05, "m", Positive;
     /// Friction coefficient between body and floor.
     mu was coefficient: f64 = 0.4, "-", Positive, Required;
+    /// Friction coefficient between body and floor across an axis of the patch, `mu` being that along it; the same if it is left out.
+    mu_across: Option<f64> = None, "-", Positive;
+    /// Angle from the x axis of the patch to that axis.
+    axis: f64 = 0.0, "rad", Finite;
     /// Load of the body on the floor.
     load: f64 = 20.0, "N", Positive, Required;
     /// Centre of pressure of a box or polygon along x, under linear pressure; the centroid if left out.

@@ -266,3 +266,44 @@ fn a_box_on_a_spring_off_its_centre_sticks_and_slips_as_its_smooth_motion_does()
     let order = |of: usize| libm::log2(errors[0][of] / errors[5][of]) / 5.0;
     assert!(order(0) > 0.85 && order(1) > 0.85, "{errors:?}");
 }
+
+/// Where μ_s > 3 μ_d the spring turns from pull to a push beyond μ_d N while the block slips: only static friction stops it
+/// there. The period of the cycle is 2D/(kV) + (2/ω)(π − atan(ωD/(kV))), D = (μ_s − μ_d) N.
+#[test]
+fn a_block_that_slips_past_its_spring_is_caught_and_has_the_period_of_the_closed_form() {
+    let (body, set) = (body::<f64>(), face::<f64>());
+    for strength in [1.4, 2.9, 4.0, 7.0] {
+        let drop = (strength - 1.0) * LIMIT;
+        let (rate, omega) = (SPRING * DRAWN, SPRING.sqrt());
+        let wanted = 2.0 * drop / rate
+            + 2.0 / omega * (core::f64::consts::PI - libm::atan(omega * drop / rate));
+        let mut errors = [0.0; 3];
+        for (error, dt) in errors.iter_mut().zip([4e-3, 1e-3, 2.5e-4]) {
+            let (mut x, mut v, mut starts) = (0.0_f64, 0.0_f64, std::vec::Vec::new());
+            for n in 0.. {
+                let time = f64::from(n) * dt;
+                let stretch = DRAWN * (time + 0.5 * dt) - (x + 0.5 * dt * v);
+                let (before, push) = (
+                    Twist::new(v, 0.0, 0.0),
+                    Wrench::new(SPRING * stretch, 0.0, 0.0),
+                );
+                let after = body.step_sticking(&set, strength, &before, &push, step_of(dt));
+                assert!(
+                    after.twist.velocity.x >= 0.0,
+                    "{strength} {dt}: it slips back"
+                );
+                if v == 0.0 && !after.is_at_rest {
+                    starts.push(time);
+                }
+                x += 0.5 * dt * (v + after.twist.velocity.x);
+                v = after.twist.velocity.x;
+                if starts.len() == 6 {
+                    break;
+                }
+            }
+            *error = ((starts[5] - starts[1]) / 4.0 - wanted).abs();
+            assert!(*error < dt, "{strength} {dt}: {error}");
+        }
+        std::println!("{strength}: {wanted} {errors:?}");
+    }
+}

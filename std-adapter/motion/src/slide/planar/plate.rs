@@ -6,7 +6,7 @@ use tribos_core::Real;
 use tribos_core::coupling::flat::{PatchShape, ShapeFriction};
 use tribos_core::law::LawError;
 use tribos_core::twist::Twist;
-use tribos_friction::Flat;
+use tribos_friction::{Area, Coefficients, Flat};
 
 /// A plate that lies flat and slides under Coulomb friction, with its centre of mass above the centre of
 /// its outline. Unless it is symmetric, its spin drives it aside and its slide turns it.
@@ -45,6 +45,13 @@ impl Plate {
             gyration,
             orientation: 0.0,
         })
+    }
+
+    /// The plate under friction that differs along two axes of its outline.
+    pub fn with_coefficients(self, mu: &Coefficients) -> Result<Self, MotionError> {
+        let area = mu.on(Area::Flat(self.friction.patch().clone()))?;
+        let friction = ShapeFriction::new(area.into_flat()?, mu.largest())?;
+        Ok(Self { friction, ..self })
     }
 
     /// The plate with another radius of gyration about its upright axis, in m.

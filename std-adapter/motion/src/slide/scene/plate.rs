@@ -6,7 +6,7 @@ use crate::slide::{MotionError, PlanarCourse, PlanarScene};
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*, reads};
 use tribos_base::scene::table::{as_written, scene};
 use tribos_base::scene::{Domain, Form};
-use tribos_friction::{Evaluation, Flat, FlatPatch, FrictionError, Patch};
+use tribos_friction::{Coefficients, Evaluation, Flat, FlatPatch, FrictionError, Patch};
 
 /// A patch with an outline that uniform thickness can fill.
 const OUTLINE: Domain = Domain::Form(&Form {
@@ -43,6 +43,10 @@ scene! {
     orientation: f64 = 0.0, "rad", Finite;
     /// Coulomb's friction coefficient.
     mu was coefficient: f64 = 0.3, "-", Positive, Required;
+    /// Friction coefficient across an axis of the outline, `mu` being that along it; the same if it is left out.
+    mu_across: Option<f64> = None, "-", Positive;
+    /// Angle from the x axis of the outline to that axis.
+    axis: f64 = 0.0, "rad", Finite;
     /// Radius of gyration about the upright axis; that of a plate of uniform thickness if it is left out.
     gyration_radius: Option<f64> = None, "m", Positive;
     /// Acceleration that presses the plate down.
@@ -72,8 +76,12 @@ impl PlateScene {
 
     /// The plate.
     pub fn plate(&self) -> Result<Plate, MotionError> {
-        let plate =
-            Plate::new(self.outline()?, self.mu, self.gravity)?.with_orientation(self.orientation);
+        let mut plate = Plate::new(self.outline()?, self.mu, self.gravity)?;
+        if let Some(across) = self.mu_across {
+            let mu = Coefficients::along_and_across([self.mu, across], self.axis)?;
+            plate = plate.with_coefficients(&mu)?;
+        }
+        let plate = plate.with_orientation(self.orientation);
         match self.gyration_radius {
             Some(radius) => plate.with_radius_of_gyration(radius),
             None => Ok(plate),
