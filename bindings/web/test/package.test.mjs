@@ -19,7 +19,7 @@ test("the package has what is needed and nothing else", (context) => {
   assert.equal(npm.status, 0, npm.stderr);
   const [{ files }] = JSON.parse(npm.stdout);
   const paths = files.map(({ path }) => path).sort();
-  const scripts = "any-pressure body checks contact disk everything friction law patches surface version wasm";
+  const scripts = "any-pressure body checks contact disk everything floor friction law patches surface version wasm";
   assert.deepEqual(paths, [
     ...["LICENSE-APACHE", "LICENSE-MIT", "README.md"],
     ...["all-inline.js", "all.d.ts", "all.js"],
