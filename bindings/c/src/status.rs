@@ -268,7 +268,8 @@ impl From<OutlineError> for tribos_status {
             OutlineError::Repeated { .. }
             | OutlineError::Crossing { .. }
             | OutlineError::Flat { .. }
-            | OutlineError::Hole { .. } => Self::Outline,
+            | OutlineError::Hole { .. }
+            | OutlineError::Open => Self::Outline,
             OutlineError::Extent | OutlineError::Slope => Self::NotFinite,
             OutlineError::Room { .. } => Self::Full,
             OutlineError::LiftOff { .. } => Self::Negative,

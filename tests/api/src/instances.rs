@@ -63,6 +63,10 @@ const TRIANGLES: &[&str] = &[
     "AsRef<[patch::mesh::Triangle<R>]>",
     "AsMut<[patch::mesh::Triangle<R>]>",
 ];
+const SIDES: &[&str] = &[
+    "AsRef<[patch::arcs::Side<R>]>",
+    "AsMut<[patch::arcs::Side<R>]>",
+];
 const CORNERS: &[&str] = &["AsRef<[[R; 2]]>"];
 
 /// All of them.
@@ -80,6 +84,15 @@ pub const INSTANCES: &[Instance] = &[
     // Tiers.
     instance("coupling::coulomb::CoulombDisk", DRY),
     similar(instance("&'static coupling::coulomb::CoulombDisk", DRY)),
+    instance(
+        "coupling::WornAnnulus<R>",
+        &[
+            "ReducedFriction",
+            "PowerLawFriction",
+            "SmoothProfile",
+            "DryReducedFriction",
+        ],
+    ),
     instance("coupling::compact::CompactPower<R>", TIER),
     instance("coupling::coulomb::CoulombRing", DRY),
     similar(instance("coupling::coulomb::CoulombPunch", DRY)),
@@ -175,6 +188,37 @@ pub const INSTANCES: &[Instance] = &[
         "patch::feet::CompoundPatch<R, patch::bar::Bar<R>, &'static [patch::feet::PatchPart<R, patch::bar::Bar<R>>]>",
         &["PatchShape"],
     ),
+    instance("patch::ellipse::Ellipse<R>", &["PatchShape", "AffineImage"]),
+    instance(
+        "patch::bar::Bar<R, patch::outline::LinearPressure<R>>",
+        &["PatchShape", "AffineImage"],
+    ),
+    instance(
+        "patch::anisotropic::AnisotropicPatch<R, patch::ellipse::Ellipse<R>>",
+        &["PatchShape"],
+    ),
+    instance(
+        "patch::round::RoundPatch<R, coupling::coulomb::CoulombDisk>",
+        &["PatchShape"],
+    ),
+    // Sides of curved patches, in an array and in memory of the caller, and parts of a compound one.
+    instance("[patch::arcs::Side<R>; 8]", SIDES),
+    instance("&'static mut [patch::arcs::Side<R>]", SIDES),
+    instance(
+        "patch::arcs::ArcOutline<R, [patch::arcs::Side<R>; 8]>",
+        &["PatchShape"],
+    ),
+    instance(
+        "&'static [patch::feet::PatchPart<R, patch::bar::Bar<R>>]",
+        &["AsRef<[patch::feet::PatchPart<R, patch::bar::Bar<R>>]>"],
+    ),
+    // Radii that follow the load.
+    instance("patch::elastic::HertzSphere<R>", &["LoadedRadius"]),
+    instance("patch::elastic::SoftFinger<R>", &["LoadedRadius"]),
+    similar(instance(
+        "patch::elastic::AdhesiveSphere<R>",
+        &["LoadedRadius"],
+    )),
     // Limit surfaces.
     instance(
         "limit_surface::RoundLimitSurface<R, coupling::coulomb::CoulombDisk>",
