@@ -98,7 +98,7 @@ impl Failure {
     }
 
     /// 2 for bad input, 1 for a failed run, 3 for results that differ from those pinned,
-    /// 4 for a contact problem that is not solved, 130 for an interrupted command.
+    /// 4 for what has no solution or was not solved, 130 for an interrupted command.
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Input(_) => BAD_INPUT,

@@ -20,7 +20,7 @@ use crate::patch::anisotropic::{AnisotropicPatch, AxisCoefficients};
 use crate::patch::arcs::{ArcOutline, Side};
 use crate::patch::bar::Bar;
 use crate::patch::ellipse::Ellipse;
-use crate::patch::feet::{CompoundPatch, PatchPart};
+use crate::patch::feet::CompoundPatch;
 use crate::patch::mesh::{Mesh, Triangle};
 use crate::patch::nodes::{NodeBuffer, NodeList, NodePatch, NodeSlice};
 use crate::patch::outline::{Edge, Polygon, PressureField};
@@ -112,10 +112,11 @@ formats! {
         "mesh of {} triangles, radius {}", m.triangles().len(), m.radius();
     [R: Real + Format, P: NodePatch<R>] PointPatch<R, P>: |p|
         "{} points, radius {}", p.nodes().nodes().len(), p.radius();
-    [R: Real + Format, P: PatchShape<R>, S: AsRef<[PatchPart<R, P>]>] CompoundPatch<R, P, S>: |f|
+    [R: Real + Format, P: PatchShape<R>] CompoundPatch<'_, R, P>: |f|
         "{} feet, radius {}", f.feet().len(), f.radius();
     [R: Real + Format] PointLoad<R>: |p| "share {} at [{}, {}]", p.share, p.place.x, p.place.y;
     [R: Real + Format, K: PressureField<R>] Bar<R, K>: |b| "bar, radius {}", b.radius();
+    [R: Real + Format] Side<R>: |s| "arc: {}", s.is_arc();
     [R: Real + Format, S: AsRef<[Side<R>]>] ArcOutline<R, S>: |p|
         "patch of {} sides, radius {}", p.sides().len(), p.radius();
     [R: Real + Format] Ellipse<R>: |e| "ellipse of semi-axes [{}, {}], pressure {}",

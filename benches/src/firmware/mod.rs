@@ -23,16 +23,14 @@ use programs::Program;
 pub const TIER: &str = "tier";
 
 /// Modules of the kernel without a price of their own, and why.
-pub const UNPRICED: [(&str, &str); 7] = [
+pub const UNPRICED: [(&str, &str); 5] = [
     ("coupling::dry", "hands calls on to the tier inside"),
     (
         "coupling::lean_profile",
         "hands calls on to the tier inside",
     ),
-    ("special::elliptic", "checks the fitted forms"),
     ("error", "moves a refusal into another type"),
     ("patch::node_storage", "borrows the caller's nodes"),
-    ("patch::feet", "adds what its feet take"),
     (
         "planar::point_contacts",
         "not priced yet: as many rounds as the pose needs",

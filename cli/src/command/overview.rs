@@ -11,6 +11,7 @@ pub const GROUPS: [(&str, &[&str]); 6] = [
             "wrench",
             "surface",
             "hold",
+            "steady",
             "coefficients",
             "onset",
             "push",
@@ -48,7 +49,7 @@ More:
   docs/index.md            the book: first steps, tasks one by one, theory, laws, accuracy
 
 Exit codes: 0 done, 1 the run failed, 2 bad usage or bad input, 3 results differ from those pinned,
-4 a contact problem is not solved, 130 interrupted.";
+4 no solution, or none found, 130 interrupted.";
 
 /// The command with its first page.
 pub fn with_page(command: Command) -> Command {

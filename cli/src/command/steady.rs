@@ -17,12 +17,12 @@ use tribos_core::twist::{Twist, Wrench};
 /// turntable.
 ///
 /// Every part of the contact slides over its own surface; the body moves such that friction of all parts and a push are
-/// in balance. Surfaces are given in the coordinates of the body. Wheels and treads that the body drives are surfaces too:
-/// give their motion against the ground as the body sees it, so that the answer is the motion of the ground against the
-/// body, with both signs changed: a tread that runs backwards with 0.3 m/s under a body that goes forwards is a foot with
-/// velocity_x 0.3, and the answer is the motion of the body.
+/// in balance. Places are in the coordinates of the body.
 ///
-/// The exit code is 3 where no motion is steady: the push is more than all parts carry together.
+/// Wheels and treads that a body drives are surfaces too: a foot whose wheel drives the body forwards with 0.3 m/s has a
+/// surface of velocity_x 0.3, the velocity at which the body would not slip.
+///
+/// Where no motion is steady, because the push is more than all parts carry together, the exit code is 4.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
@@ -92,20 +92,21 @@ impl Arguments {
         let motion = match floor.steady_motion(&push) {
             SteadyState::Balanced(motion) => motion,
             SteadyState::Accelerates => {
-                return Err(Failure::input(format!(
+                return Err(Failure::Unsolved(format!(
                     "no motion is steady: the push is more than the {} N that friction carries, or turns harder; give a \
                      smaller one",
                     shown(floor.limit())
                 )));
             }
             SteadyState::Missed(_) => {
-                return Err(Failure::input(
-                    "the search for the steady motion has missed it: give points a small area, such as disk with its radius",
+                return Err(Failure::Unsolved(
+                    "the search for the steady motion has missed it: give points a small area, such as disk with its radius"
+                        .into(),
                 ));
             }
         };
         match self.format {
-            Format::Text => super::print(&text(&motion)),
+            Format::Text => super::print(&text(&motion, floor.limit())),
             Format::Json => super::print(&format!("{:#}\n", json(&motion))),
         }
     }
@@ -141,6 +142,15 @@ impl Arguments {
     }
 }
 
+/// What is less than this share of a whole is rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// A number, or 0 where it is rounding of `whole`.
+fn told(x: f64, whole: f64) -> String {
+    let is_nothing = x.abs() <= ROUNDING * whole;
+    shown(if is_nothing { 0.0 } else { x })
+}
+
 /// The place of a motion that does not move.
 fn pivot(twist: &Twist<f64>) -> Option<[f64; 2]> {
     let at = [
@@ -150,22 +160,25 @@ fn pivot(twist: &Twist<f64>) -> Option<[f64; 2]> {
     at.iter().all(|x| x.is_finite()).then_some(at)
 }
 
-fn text(motion: &SteadyMotion<f64>) -> String {
+fn text(motion: &SteadyMotion<f64>, limit: f64) -> String {
     let mut text = String::new();
     let mut line = |name: &str, value: String| {
         let _ = writeln!(text, "{name:<15} {value}");
     };
     let Twist { velocity, spin } = motion.twist;
-    let [x, y, spin] = [velocity.x, velocity.y, spin].map(|x| shown(x + 0.0));
-    line("motion", format!("({x}, {y}) m/s, {spin} rad/s"));
-    if let Some([x, y]) = pivot(&motion.twist) {
+    let fastest = velocity.x.abs().max(velocity.y.abs()).max(spin.abs());
+    let [x, y, turn] = [velocity.x, velocity.y, spin].map(|x| told(x, fastest));
+    line("motion", format!("({x}, {y}) m/s, {turn} rad/s"));
+    // Far away it is the rounding of a spin that is none.
+    let pivot = pivot(&motion.twist).filter(|_| spin.abs() > ROUNDING * fastest);
+    if let Some([x, y]) = pivot {
         line(
             "turns about",
-            format!("({}, {}) m", shown(x + 0.0), shown(y + 0.0)),
+            format!("({}, {}) m", told(x, 1.0), told(y, 1.0)),
         );
     }
     let Wrench { force, torque } = motion.friction;
-    let [x, y, torque] = [force.x, force.y, torque].map(|x| shown(x + 0.0));
+    let [x, y, torque] = [force.x, force.y, torque].map(|x| told(x, limit));
     line("friction", format!("({x}, {y}) N, {torque} N m"));
     if let Some(foot) = motion.carried_by {
         let which = format!(

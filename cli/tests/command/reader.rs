@@ -68,6 +68,13 @@ pub fn prepare(folder: &Path) -> Outcome {
     fs::write(folder.join("feet.csv"), feet)?;
     let sole = "x,y\n0,0\n0.24,0\n0.24,0.1\n0,0.08\n";
     fs::write(folder.join("sole.csv"), sole)?;
+    let belts = "surface,x,y,velocity_x,velocity_y,spin\n\
+        left,0,0,0.5,0,0\nleft,1,0,0.5,0,0\nright,0,0,-0.5,0,0\nright,-1,0,-0.5,0,0\n";
+    fs::write(folder.join("belts.csv"), belts)?;
+    let robot = "patch,x,y,radius,velocity_x,velocity_y,spin\n\
+        disk,0.2,0.25,0.02,-0.2,0,0\ndisk,-0.2,0.25,0.02,-0.2,0,0\n\
+        disk,0.2,-0.25,0.02,0.2,0,0\ndisk,-0.2,-0.25,0.02,0.2,0,0\n";
+    fs::write(folder.join("robot.csv"), robot)?;
     let face = "x1,y1,p1,x2,y2,p2,x3,y3,p3\n0,0,1,0.1,0,2,0,0.1,0\n";
     fs::write(folder.join("face.csv"), face)?;
     let pushes = "force_x,force_y,torque\n100,20,5\n300,0,-10\n";

@@ -92,7 +92,7 @@ impl<'a, R: Real, P: PatchShape<R>> Feet<'a, R, P> {
         let count = Cell::new(0);
         let place_at = |q: Vector3<R>| {
             count.set(count.get() + 1);
-            Place::of(goal, self.scaled_power(units, &q), q)
+            SearchPlace::of(goal, self.scaled_power(units, &q), q)
         };
         let mut lowest: Option<(&Foot<R, P>, Wrench<R>, R)> = None;
         for (index, foot) in self.feet.iter().enumerate() {
@@ -234,7 +234,7 @@ pub(super) trait Goal<R: Real> {
 }
 
 /// A place that was looked at.
-struct Place<R: Real> {
+struct SearchPlace<R: Real> {
     at: Vector3<R>,
     value: R,
     gradient: Vector3<R>,
@@ -242,7 +242,7 @@ struct Place<R: Real> {
     bound: Matrix3<R>,
 }
 
-impl<R: Real> Place<R> {
+impl<R: Real> SearchPlace<R> {
     fn of(goal: &impl Goal<R>, power: FeetPower<R>, at: Vector3<R>) -> Self {
         let own = goal.curvature();
         let mut with_own = [power.hessian, power.bound];
@@ -278,10 +278,10 @@ const CHANGE: f64 = 4.0;
 
 /// Goes down from `start` by Newton's steps, as far towards those of the bound as it takes to descend.
 fn descend<R: Real>(
-    start: Place<R>,
+    start: SearchPlace<R>,
     rounding: R,
-    place_at: impl Fn(Vector3<R>) -> Place<R>,
-) -> (Place<R>, Ended) {
+    place_at: impl Fn(Vector3<R>) -> SearchPlace<R>,
+) -> (SearchPlace<R>, Ended) {
     let (noise, change) = (R::from_f64(DONE_ULPS) * rounding, R::from_f64(CHANGE));
     let (mut here, mut caution) = (start, R::ZERO);
     for _ in 0..MOST_STEPS {
@@ -324,7 +324,7 @@ fn descend<R: Real>(
     (here, Ended::Missed)
 }
 
-impl<R: Real> Place<R> {
+impl<R: Real> SearchPlace<R> {
     /// Newton's matrix without caution, that of the bound with a caution of 1, a multiple of it beyond.
     fn matrix(&self, caution: R) -> Matrix3<R> {
         if caution > R::ONE {

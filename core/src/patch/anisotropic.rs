@@ -13,7 +13,7 @@
 
 use super::PatchError;
 use super::affine_image::{AffineImage, AffineMap};
-use super::piece::{HalfPlane, Piece};
+use super::piece::HalfPlane;
 use crate::coupling::flat::PatchShape;
 use crate::law::{LawError, validated_positive};
 use crate::real::Real;
@@ -164,36 +164,37 @@ impl<R: Real, P: AffineImage<R>> AnisotropicPatch<R, P> {
 }
 
 impl<R: Real, P: PatchShape<R>> AnisotropicPatch<R, P> {
-    /// What `cut` leaves of the stretched patch within the image of a half-plane, with its share of the load.
+    /// The patch in coordinates along the axis and across it, stretched.
     #[doc(hidden)]
-    pub fn within<E>(
-        &self,
-        side: &HalfPlane<R>,
-        cut: impl FnOnce(&P, &HalfPlane<R>) -> Result<Option<Piece<R, P>>, E>,
-    ) -> Result<Option<Piece<R, Self>>, E> {
+    pub fn stretched(&self) -> &P {
+        &self.stretched
+    }
+
+    /// The image of a half-plane in these coordinates.
+    #[doc(hidden)]
+    pub fn stretched_side(&self, side: &HalfPlane<R>) -> HalfPlane<R> {
         let ([along, across], axis) = (self.shares, self.axis);
-        let parts = |at: Vector2<R>| {
+        side.mapped(|at| {
             Vector2::new(
                 across * (axis.x * at.x + axis.y * at.y),
                 along * (axis.x * at.y - axis.y * at.x),
             )
-        };
-        let Some(Piece { patch, share }) = cut(&self.stretched, &side.mapped(parts))? else {
-            return Ok(None);
-        };
-        let there = patch.centre();
+        })
+    }
+
+    /// The same friction on the patch whose image this is.
+    #[doc(hidden)]
+    pub fn with_stretched(&self, stretched: P) -> Self {
+        let ([along, across], axis) = (self.shares, self.axis);
+        let there = stretched.centre();
         let (x, y) = (there.x / across, there.y / along);
-        let piece = Self {
+        Self {
             centre: Vector2::new(x * axis.x - y * axis.y, x * axis.y + y * axis.x),
             // Any length will do as the unit of torques.
             radius: self.radius,
-            inner: patch.radius() / self.radius,
-            stretched: patch,
+            inner: stretched.radius() / self.radius,
+            stretched,
             ..*self
-        };
-        Ok(Some(Piece {
-            patch: piece,
-            share,
-        }))
+        }
     }
 }

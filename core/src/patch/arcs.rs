@@ -38,17 +38,25 @@ pub enum Border<R> {
 ///
 /// Lengths are in units of the patch's radius, about its centre. A default side is room for one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Side<R: Real>(pub(crate) Course<R>);
+pub struct Side<R: Real>(pub(crate) SideCourse<R>);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Course<R: Real> {
+pub(crate) enum SideCourse<R: Real> {
     Straight(Edge<R>),
     Curved(Arc<R>),
 }
 
+impl<R: Real> Side<R> {
+    /// Whether it is curved.
+    #[cfg(feature = "defmt")]
+    pub(crate) fn is_arc(&self) -> bool {
+        matches!(self.0, SideCourse::Curved(_))
+    }
+}
+
 impl<R: Real> Default for Side<R> {
     fn default() -> Self {
-        Self(Course::Straight(Edge::default()))
+        Self(SideCourse::Straight(Edge::default()))
     }
 }
 
@@ -206,8 +214,8 @@ const PLACES: u32 = 64;
 impl<R: Real> Side<R> {
     pub(super) fn ends(&self) -> [Vector2<R>; 2] {
         match &self.0 {
-            Course::Straight(edge) => [edge.start(), edge.end()],
-            Course::Curved(arc) => [-arc.reach, arc.reach].map(|z| arc.point(z)),
+            SideCourse::Straight(edge) => [edge.start(), edge.end()],
+            SideCourse::Curved(arc) => [-arc.reach, arc.reach].map(|z| arc.point(z)),
         }
     }
 
@@ -215,12 +223,12 @@ impl<R: Real> Side<R> {
     pub(super) fn each_step(&self, mut visit: impl FnMut(Vector2<R>, Vector2<R>)) {
         each_node(|node: R, weight| {
             let [at, step] = match &self.0 {
-                Course::Straight(edge) => {
+                SideCourse::Straight(edge) => {
                     let [from, to] = [edge.start(), edge.end()];
                     let half = (to - from) * R::HALF;
                     [from + half * (R::ONE + node), half]
                 }
-                Course::Curved(arc) => {
+                SideCourse::Curved(arc) => {
                     let [at, slope] = arc.point_and_slope(arc.reach * node);
                     [at, slope * arc.reach]
                 }
@@ -239,8 +247,8 @@ impl<R: Real> Side<R> {
             }
         };
         match &self.0 {
-            Course::Straight(edge) => [edge.start(), edge.end()].into_iter().for_each(keep),
-            Course::Curved(arc) => {
+            SideCourse::Straight(edge) => [edge.start(), edge.end()].into_iter().for_each(keep),
+            SideCourse::Curved(arc) => {
                 for place in 0..=PLACES {
                     let part = f64::from(place) / f64::from(PLACES);
                     keep(arc.point(arc.reach * R::from_f64(2.0 * part - 1.0)));
@@ -252,8 +260,8 @@ impl<R: Real> Side<R> {
 
     pub(super) fn about(&self, centre: &Vector2<R>, radius: R) -> Self {
         Self(match &self.0 {
-            Course::Straight(edge) => Course::Straight(edge.about(centre, radius)),
-            Course::Curved(arc) => Course::Curved(Arc {
+            SideCourse::Straight(edge) => SideCourse::Straight(edge.about(centre, radius)),
+            SideCourse::Curved(arc) => SideCourse::Curved(Arc {
                 middle: (arc.middle - centre) / radius,
                 half_diameters: arc.half_diameters.map(|half| half / radius),
                 reach: arc.reach,

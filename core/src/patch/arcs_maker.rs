@@ -1,6 +1,6 @@
 //! A boundary of lines and arcs that is being put together.
 
-use super::arcs::{Arc, ArcOutline, Border, Course, Side};
+use super::arcs::{Arc, ArcOutline, Border, Side, SideCourse};
 use super::edge::Edge;
 use super::outline_error::OutlineError;
 use crate::real::Real;
@@ -73,7 +73,7 @@ impl<R: Real, S: AsRef<[Side<R>]> + AsMut<[Side<R>]>> Maker<R, S> {
 
     pub(super) fn line(&mut self, from: Vector2<R>, to: Vector2<R>) -> Result<(), OutlineError> {
         let origin = *self.origin.get_or_insert(from);
-        self.push(Course::Straight(Edge::new(from - origin, to - origin)))
+        self.push(SideCourse::Straight(Edge::new(from - origin, to - origin)))
     }
 
     /// An arc in parts of a third of a turn.
@@ -115,17 +115,17 @@ impl<R: Real, S: AsRef<[Side<R>]> + AsMut<[Side<R>]>> Maker<R, S> {
         };
         let origin = *self.origin.get_or_insert(arc.point(-reach));
         arc.middle = centre - origin;
-        self.push(Course::Curved(arc))
+        self.push(SideCourse::Curved(arc))
     }
 
-    fn push(&mut self, course: Course<R>) -> Result<(), OutlineError> {
+    fn push(&mut self, course: SideCourse<R>) -> Result<(), OutlineError> {
         let side = Side(course);
         let [from, to] = side.ends();
         self.apart += to - from;
         let chord = (to.x - from.x).hypot(to.y - from.y);
         self.boundary += match course {
-            Course::Straight(_) => chord,
-            Course::Curved(arc) => arc.length(),
+            SideCourse::Straight(_) => chord,
+            SideCourse::Curved(arc) => arc.length(),
         };
         let room = self.memory.as_ref().len();
         match self.memory.as_mut().get_mut(self.count) {

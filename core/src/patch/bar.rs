@@ -4,7 +4,7 @@ use super::affine_image::AffineMap;
 use super::edge::Edge;
 use super::flat_pressure::{LinearPressure, PressureField, UniformPressure};
 use super::outline_error::OutlineError;
-use super::piece::{HalfPlane, Piece};
+use super::piece::{HalfPlane, PatchPiece};
 use crate::real::Real;
 use nalgebra::Vector2;
 
@@ -197,7 +197,7 @@ impl<R: Real, K: PressureField<R>> Bar<R, K> {
     /// assert!((piece.share - 1.0 / 3.0).abs() < 1e-15 && (piece.patch.radius() - 0.05).abs() < 1e-16);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn within(&self, side: &HalfPlane<R>) -> Option<Piece<R, Self>> {
+    pub fn within(&self, side: &HalfPlane<R>) -> Option<PatchPiece<R, Self>> {
         let ends = self.ends();
         let [from, to] = self.span();
         let (from, to) = match side.crossing(ends) {
@@ -238,7 +238,7 @@ impl<R: Real, K: PressureField<R>> Bar<R, K> {
             radius: self.radius * farther,
         };
         let share = load / self.edge.length();
-        Some(Piece { patch, share })
+        Some(PatchPiece { patch, share })
     }
 
     #[inline(always)]

@@ -219,8 +219,8 @@ impl core::fmt::Display for PatchError {
             ),
             Self::Unloaded => f.write_str("at least one node must carry load"),
             Self::NoImage => f.write_str(
-                "friction that differs along two axes is not served on this patch: its stretched image is no patch \
-                 of its kind",
+                "friction that differs along two axes is not served on this patch: give an ellipse, a disk, hertz, punch, \
+                 paraboloid, straight edges, triangles or points",
             ),
             Self::OnePlace => {
                 f.write_str("at least two places a finite distance apart must carry load")

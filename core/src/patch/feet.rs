@@ -3,7 +3,6 @@
 use super::PatchError;
 use crate::coupling::flat::PatchShape;
 use crate::real::Real;
-use core::marker::PhantomData;
 use nalgebra::Vector2;
 
 /// A patch in the coordinates of the body, and what it carries.
@@ -54,20 +53,16 @@ pub struct PatchPart<R, P> {
 /// # Ok::<(), tribos_core::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CompoundPatch<R: Real, P, S> {
-    parts: S,
+pub struct CompoundPatch<'a, R: Real, P> {
+    feet: &'a [PatchPart<R, P>],
     total: R,
     centre: Vector2<R>,
     radius: R,
-    of: PhantomData<P>,
 }
 
-impl<R: Real, P: PatchShape<R>, S: AsRef<[PatchPart<R, P>]>> CompoundPatch<R, P, S> {
-    /// Feet in an array, in memory of the caller or in a list that the patch owns.
-    ///
+impl<'a, R: Real, P: PatchShape<R>> CompoundPatch<'a, R, P> {
     /// *Domain*: weights ≥ 0 of which at least one is positive, finite sum; finite distances.
-    pub fn new(parts: S) -> Result<Self, PatchError> {
-        let feet = parts.as_ref();
+    pub fn new(feet: &'a [PatchPart<R, P>]) -> Result<Self, PatchError> {
         let mut total = R::ZERO;
         for (index, foot) in feet.iter().enumerate() {
             total += foot.load;
@@ -96,11 +91,10 @@ impl<R: Real, P: PatchShape<R>, S: AsRef<[PatchPart<R, P>]>> CompoundPatch<R, P,
             return Err(PatchError::Radius { given });
         }
         Ok(Self {
-            parts,
+            feet,
             total,
             centre,
             radius,
-            of: PhantomData,
         })
     }
 
@@ -115,14 +109,14 @@ impl<R: Real, P: PatchShape<R>, S: AsRef<[PatchPart<R, P>]>> CompoundPatch<R, P,
     }
 
     /// The feet.
-    pub fn feet(&self) -> &[PatchPart<R, P>] {
-        self.parts.as_ref()
+    pub fn feet(&self) -> &'a [PatchPart<R, P>] {
+        self.feet
     }
 
     /// The feet about the common centre, in radii of all.
-    pub(crate) fn placed(&self) -> impl Iterator<Item = PlacedPatch<'_, R, P>> + Clone {
+    pub(crate) fn placed(&self) -> impl Iterator<Item = PlacedPatch<'a, R, P>> + Clone {
         let (frame, total) = ((self.centre, self.radius), self.total);
-        self.feet()
+        self.feet
             .iter()
             .map(move |foot| PlacedPatch::new(&foot.patch, frame, foot.load / total))
     }

@@ -11,11 +11,11 @@ use nalgebra::Vector2;
 ///
 /// ```
 /// use tribos_core::patch::outline::Polygon;
-/// use tribos_core::patch::piece::{HalfPlane, Piece};
+/// use tribos_core::patch::piece::{HalfPlane, PatchPiece};
 /// let parcel = Polygon::new([[0.0_f64, 0.0], [0.3, 0.0], [0.3, 0.2], [0.0, 0.2]])?; // m
 /// // Two belts meet at x = 0.1; one lies to the left of the line upwards.
 /// let seam = HalfPlane::new([0.1, 0.0], [0.0, 1.0])?;
-/// let left: Option<Piece<f64, _>> = parcel.within(&seam, [Default::default(); 8])?;
+/// let left: Option<PatchPiece<f64, _>> = parcel.within(&seam, [Default::default(); 8])?;
 /// let left = left.ok_or("nothing there")?;
 /// assert!((left.share - 1.0 / 3.0).abs() < 1e-15 && (left.patch.area() - 0.02).abs() < 1e-16);
 /// assert!((left.patch.centre().x - 0.05).abs() < 1e-16);
@@ -100,7 +100,7 @@ impl<R: Real> HalfPlane<R> {
 /// A piece of a patch and what it carries.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Piece<R, P> {
+pub struct PatchPiece<R, P> {
     /// The piece, in the coordinates of the whole, about its own centre of pressure.
     pub patch: P,
     /// Its share of the load of the whole.
@@ -109,7 +109,7 @@ pub struct Piece<R, P> {
 
 /// A piece of a polygon.
 #[doc(hidden)]
-pub type PolygonPiece<R, S, K> = Piece<R, Polygon<R, S, K>>;
+pub type PolygonPiece<R, S, K> = PatchPiece<R, Polygon<R, S, K>>;
 
 /// A piece of less than this many rounding errors of the whole is none.
 const LEAST_ULPS: f64 = 64.0;
@@ -167,7 +167,7 @@ impl<R: Real, S: AsRef<[Edge<R>]>, K: PressureField<R>> Polygon<R, S, K> {
             reduced_area: area / (radius * radius),
             longest_half: R::HALF * longest,
         };
-        Ok(Some(Piece {
+        Ok(Some(PatchPiece {
             patch,
             share: mean * area / self.reduced_area,
         }))

@@ -7,7 +7,7 @@ use tribos_core::coupling::flat::{Hessian, Motion, PatchShape, Reduced};
 use tribos_core::patch::arcs::{ArcOutline, Side};
 use tribos_core::patch::ellipse::{Ellipse, EllipsePressure};
 use tribos_core::patch::outline::OutlineError;
-use tribos_core::patch::piece::{HalfPlane, Piece};
+use tribos_core::patch::piece::{HalfPlane, PatchPiece};
 use tribos_core::real::Real;
 
 /// What of an ellipse under uniform pressure lies within a convex cell.
@@ -24,7 +24,7 @@ impl<R: Precision> ArcPiece<R> {
     pub(super) fn of_ellipse(
         ellipse: &Ellipse<R>,
         side: &HalfPlane<R>,
-    ) -> Result<Option<Piece<R, Flat<R>>>, FrictionError> {
+    ) -> Result<Option<PatchPiece<R, Flat<R>>>, FrictionError> {
         let centre = ellipse.centre();
         let distance = side.distance_of([centre.x, centre.y]);
         let [a, b] = ellipse.semi_axes();
@@ -36,7 +36,7 @@ impl<R: Precision> ArcPiece<R> {
         if distance >= reach {
             let patch = Flat::Ellipse(*ellipse);
             let share = R::ONE;
-            return Ok(Some(Piece { patch, share }));
+            return Ok(Some(PatchPiece { patch, share }));
         }
         if distance <= -reach {
             return Ok(None);
@@ -58,7 +58,7 @@ impl<R: Precision> ArcPiece<R> {
     pub(super) fn within(
         &self,
         side: &HalfPlane<R>,
-    ) -> Result<Option<Piece<R, Flat<R>>>, FrictionError> {
+    ) -> Result<Option<PatchPiece<R, Flat<R>>>, FrictionError> {
         Self::cut(&self.ellipse, &self.cell, side, self.outline.area())
     }
 
@@ -68,7 +68,7 @@ impl<R: Precision> ArcPiece<R> {
         cell: &[[R; 2]],
         side: &HalfPlane<R>,
         whole: R,
-    ) -> Result<Option<Piece<R, Flat<R>>>, FrictionError> {
+    ) -> Result<Option<PatchPiece<R, Flat<R>>>, FrictionError> {
         let cell = clipped(cell, side);
         if cell.len() < 3 {
             return Ok(None);
@@ -87,7 +87,7 @@ impl<R: Precision> ArcPiece<R> {
             cell,
             outline,
         }));
-        Ok(Some(Piece { patch, share }))
+        Ok(Some(PatchPiece { patch, share }))
     }
 }
 

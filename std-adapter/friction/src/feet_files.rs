@@ -2,13 +2,14 @@
 
 use super::coefficients::quarters;
 use super::flat::Flat;
+use super::owned_feet::OwnedFeet;
 use super::{Area, Coefficients, Floor, FootOnFloor, FrictionError, Patch, Precision, Surface};
 use std::path::Path;
 use std::sync::LazyLock;
 use tribos_base::record::{Rows, TableError};
 use tribos_core::patch::PatchError;
 use tribos_core::patch::affine_image::{AffineImage, AffineMap};
-use tribos_core::patch::feet::{CompoundPatch, PatchPart};
+use tribos_core::patch::feet::PatchPart;
 use tribos_core::twist::Twist;
 
 /// Most feet of a body, and most corners of surfaces.
@@ -106,15 +107,11 @@ impl FootRow {
     }
 }
 
-/// The feet of a file as one area: what all carry is spread in proportion to load times coefficient.
+/// The feet of a file as one area, as if all stood on one surface: what they carry is spread in proportion to load times
+/// coefficient.
 pub(super) fn feet<R: Precision>(path: &Path) -> Result<Flat<R>, FrictionError> {
     let parts = rows(path, |row| {
-        let [_, degrees, load, _, _, vx, vy, spin] = row.values;
-        if [vx, vy, spin] != [0.0; 3] {
-            return Err(FrictionError::Syntax(
-                "surfaces that move are for tribos steady: leave out velocity_x, velocity_y and spin".into(),
-            ));
-        }
+        let [_, degrees, load, ..] = row.values;
         let mu = row.coefficients()?;
         let turn = quarters(degrees).map(R::from_f64);
         let map = AffineMap::placed(turn, row.place.map(R::from_f64));
@@ -124,7 +121,7 @@ pub(super) fn feet<R: Precision>(path: &Path) -> Result<Flat<R>, FrictionError> 
             load: R::from_f64(mu.largest() * load),
         })
     })?;
-    let made = CompoundPatch::new(parts);
+    let made = OwnedFeet::new(parts);
     let whole = |error: PatchError| FrictionError::Syntax(format!("{}: {error}", path.display()));
     Ok(Flat::Feet(made.map_err(whole)?))
 }

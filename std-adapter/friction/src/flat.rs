@@ -2,6 +2,7 @@
 
 use super::arc_piece::ArcPiece;
 use super::coefficients::quarters;
+use super::owned_feet::OwnedFeet;
 use super::refusal::finite_number;
 use super::surface::DryRound;
 use super::text::{feet, files};
@@ -13,7 +14,6 @@ use tribos_core::coupling::flat::{Hessian, Motion, PatchShape, PointLoad, Reduce
 use tribos_core::patch::anisotropic::AnisotropicPatch;
 use tribos_core::patch::bar::Bar;
 use tribos_core::patch::ellipse::{Ellipse, EllipsePressure};
-use tribos_core::patch::feet::{CompoundPatch, PatchPart};
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
 use tribos_core::patch::nodes::Node;
 use tribos_core::patch::outline::{Edge, LinearPressure, OutlineError, Polygon};
@@ -76,7 +76,7 @@ pub enum Flat<R: Precision> {
     /// Any of these under friction that differs along two axes.
     Anisotropic(Box<AnisotropicPatch<R, Self>>),
     /// Several of these under one body.
-    Feet(CompoundPatch<R, Self, Vec<PatchPart<R, Self>>>),
+    Feet(OwnedFeet<R>),
 }
 
 /// Most bolts of a ring.

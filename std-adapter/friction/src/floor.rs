@@ -1,13 +1,14 @@
 //! Floors of several surfaces, each with a motion of its own, under an area or under several feet.
 
 use super::flat::Flat;
+use super::owned_feet::OwnedFeet;
 use super::{Area, Coefficients, FrictionError};
 use tribos_core::contact::TimeStep;
 use tribos_core::floor::{Feet, FloorStep, Foot, SteadyState};
 use tribos_core::limit_surface::FrictionSet;
 use tribos_core::patch::affine_image::{AffineImage, AffineMap};
-use tribos_core::patch::feet::{CompoundPatch, PatchPart};
-use tribos_core::patch::piece::{HalfPlane, Piece};
+use tribos_core::patch::feet::PatchPart;
+use tribos_core::patch::piece::{HalfPlane, PatchPiece};
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
@@ -128,7 +129,7 @@ impl Floor {
         let patch = mu.on(area.clone())?.into_flat()?;
         let limit = mu.largest() * load;
         let mut feet = Vec::new();
-        let mut left = vec![Piece { patch, share: 1.0 }];
+        let mut left = vec![PatchPiece { patch, share: 1.0 }];
         for surface in surfaces {
             let mut outside = Vec::new();
             for mut piece in left {
@@ -232,7 +233,7 @@ impl Floor {
             load: foot.limit,
         };
         let parts: Vec<_> = self.feet.iter().map(part).collect();
-        Ok(Flat::Feet(CompoundPatch::new(parts)?))
+        Ok(Flat::Feet(OwnedFeet::new(parts)?))
     }
 
     /// All wrenches that the feet carry together while body and surfaces move as one.
@@ -243,17 +244,21 @@ impl Floor {
 
 /// A piece of a piece.
 fn within(
-    piece: &Piece<f64, Flat<f64>>,
+    piece: &PatchPiece<f64, Flat<f64>>,
     side: &HalfPlane<f64>,
-) -> Result<Option<Piece<f64, Flat<f64>>>, FrictionError> {
+) -> Result<Option<PatchPiece<f64, Flat<f64>>>, FrictionError> {
     let part = piece.patch.within(side)?;
-    Ok(part.map(|part| Piece {
+    Ok(part.map(|part| PatchPiece {
         share: piece.share * part.share,
         ..part
     }))
 }
 
-fn foot(piece: Piece<f64, Flat<f64>>, limit: f64, surface: Twist<f64>) -> Foot<f64, Flat<f64>> {
+fn foot(
+    piece: PatchPiece<f64, Flat<f64>>,
+    limit: f64,
+    surface: Twist<f64>,
+) -> Foot<f64, Flat<f64>> {
     Foot {
         patch: piece.patch,
         limit: limit * piece.share,

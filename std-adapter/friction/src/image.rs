@@ -2,15 +2,16 @@
 
 use super::arc_piece::ArcPiece;
 use super::flat::Flat;
+use super::owned_feet::OwnedFeet;
 use super::surface::DryRound;
 use super::{FrictionError, OwnedNodes, Precision};
 use tribos_core::patch::affine_image::{AffineImage, AffineMap, image_of};
 use tribos_core::patch::ellipse::{Ellipse, EllipsePressure};
-use tribos_core::patch::feet::{CompoundPatch, PatchPart};
+use tribos_core::patch::feet::PatchPart;
 use tribos_core::patch::mesh::{Mesh, Triangle, Vertex};
 use tribos_core::patch::nodes::{Node, NodePatch};
 use tribos_core::patch::outline::Edge;
-use tribos_core::patch::piece::{HalfPlane, Piece};
+use tribos_core::patch::piece::{HalfPlane, PatchPiece};
 use tribos_core::patch::points::PointPatch;
 use tribos_core::patch::round::RoundPatch;
 use tribos_core::real::Real;
@@ -35,7 +36,7 @@ impl<R: Precision> AffineImage<R> for Flat<R> {
                     Some(PatchPart { patch, ..*part })
                 });
                 let parts: Option<Vec<_>> = parts.collect();
-                Self::Feet(CompoundPatch::new(parts?).ok()?)
+                Self::Feet(OwnedFeet::new(parts?).ok()?)
             }
         })
     }
@@ -69,10 +70,13 @@ impl<R: Precision> Flat<R> {
     pub(super) fn within(
         &self,
         side: &HalfPlane<R>,
-    ) -> Result<Option<Piece<R, Self>>, FrictionError> {
-        fn of<R: Real, P, Q>(piece: Piece<R, P>, patch: impl FnOnce(P) -> Q) -> Piece<R, Q> {
+    ) -> Result<Option<PatchPiece<R, Self>>, FrictionError> {
+        fn of<R: Real, P, Q>(
+            piece: PatchPiece<R, P>,
+            patch: impl FnOnce(P) -> Q,
+        ) -> PatchPiece<R, Q> {
             let share = piece.share;
-            Piece {
+            PatchPiece {
                 patch: patch(piece.patch),
                 share,
             }
@@ -100,23 +104,24 @@ impl<R: Precision> Flat<R> {
             Self::ArcPiece(patch) => patch.within(side)?,
             Self::Round(patch) => round_within(patch, side)?,
             Self::Anisotropic(patch) => {
-                let piece = patch.within(side, Self::within)?;
-                piece.map(|piece| of(piece, |patch| Self::Anisotropic(Box::new(patch))))
+                let piece = patch.stretched().within(&patch.stretched_side(side))?;
+                let back = |piece| Self::Anisotropic(Box::new(patch.with_stretched(piece)));
+                piece.map(|piece| of(piece, back))
             }
             Self::Feet(feet) => {
                 let (mut parts, mut total, mut kept) = (Vec::new(), R::ZERO, R::ZERO);
                 for part in feet.feet() {
                     total += part.load;
-                    if let Some(Piece { patch, share }) = part.patch.within(side)? {
+                    if let Some(PatchPiece { patch, share }) = part.patch.within(side)? {
                         let load = part.load * share;
                         kept += load;
                         parts.push(PatchPart { patch, load });
                     }
                 }
                 if kept > R::ZERO {
-                    let patch = Self::Feet(CompoundPatch::new(parts)?);
+                    let patch = Self::Feet(OwnedFeet::new(parts)?);
                     let share = kept / total;
-                    Some(Piece { patch, share })
+                    Some(PatchPiece { patch, share })
                 } else {
                     None
                 }
@@ -129,7 +134,7 @@ impl<R: Precision> Flat<R> {
 fn mesh_within<R: Precision>(
     mesh: &Mesh<R, Vec<Triangle<R>>>,
     side: &HalfPlane<R>,
-) -> Result<Option<Piece<R, Flat<R>>>, FrictionError> {
+) -> Result<Option<PatchPiece<R, Flat<R>>>, FrictionError> {
     let mut vertices: Vec<Vertex<R>> = Vec::new();
     let mut triangles = Vec::new();
     for corners in mesh.corners() {
@@ -160,7 +165,7 @@ fn mesh_within<R: Precision>(
     };
     // The corners' pressures are such that the whole carries 1 per squared radius.
     let share = piece.load() / (mesh.radius() * mesh.radius());
-    Ok(Some(Piece {
+    Ok(Some(PatchPiece {
         patch: Flat::Mesh(piece),
         share,
     }))
@@ -170,7 +175,7 @@ fn mesh_within<R: Precision>(
 fn points_within<R: Precision>(
     points: &PointPatch<R, OwnedNodes<R>>,
     side: &HalfPlane<R>,
-) -> Result<Option<Piece<R, Flat<R>>>, FrictionError> {
+) -> Result<Option<PatchPiece<R, Flat<R>>>, FrictionError> {
     let nodes = points.nodes().nodes().iter().copied();
     let kept: Vec<Node<R>> = nodes
         .filter(|node| side.contains([node.x, node.y]))
@@ -184,7 +189,7 @@ fn points_within<R: Precision>(
             "a single point stands on a surface of its own: give it a small patch, such as disk with its radius".into(),
         )
     })?;
-    Ok(Some(Piece {
+    Ok(Some(PatchPiece {
         patch: Flat::Points(patch),
         share,
     }))
@@ -194,11 +199,11 @@ fn points_within<R: Precision>(
 fn round_within<R: Precision>(
     patch: &RoundPatch<R, DryRound<R>>,
     side: &HalfPlane<R>,
-) -> Result<Option<Piece<R, Flat<R>>>, FrictionError> {
+) -> Result<Option<PatchPiece<R, Flat<R>>>, FrictionError> {
     let centre = patch.centre();
     let distance = side.distance_of([centre.x, centre.y]);
     if distance.abs() >= patch.radius() {
-        return Ok((distance > R::ZERO).then(|| Piece {
+        return Ok((distance > R::ZERO).then(|| PatchPiece {
             patch: Flat::Round(Box::new(*patch)),
             share: R::ONE,
         }));

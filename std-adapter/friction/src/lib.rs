@@ -49,6 +49,7 @@ mod floor;
 mod hold;
 mod image;
 mod law;
+mod owned_feet;
 mod patch;
 mod precision;
 mod quadrature;

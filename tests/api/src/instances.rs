@@ -185,7 +185,7 @@ pub const INSTANCES: &[Instance] = &[
         &["PatchShape"],
     ),
     instance(
-        "patch::feet::CompoundPatch<R, patch::bar::Bar<R>, &'static [patch::feet::PatchPart<R, patch::bar::Bar<R>>]>",
+        "patch::feet::CompoundPatch<'static, R, patch::bar::Bar<R>>",
         &["PatchShape"],
     ),
     instance("patch::ellipse::Ellipse<R>", &["PatchShape", "AffineImage"]),
@@ -201,16 +201,12 @@ pub const INSTANCES: &[Instance] = &[
         "patch::round::RoundPatch<R, coupling::coulomb::CoulombDisk>",
         &["PatchShape"],
     ),
-    // Sides of curved patches, in an array and in memory of the caller, and parts of a compound one.
+    // Sides of curved patches, in an array and in memory of the caller.
     instance("[patch::arcs::Side<R>; 8]", SIDES),
     instance("&'static mut [patch::arcs::Side<R>]", SIDES),
     instance(
         "patch::arcs::ArcOutline<R, [patch::arcs::Side<R>; 8]>",
         &["PatchShape"],
-    ),
-    instance(
-        "&'static [patch::feet::PatchPart<R, patch::bar::Bar<R>>]",
-        &["AsRef<[patch::feet::PatchPart<R, patch::bar::Bar<R>>]>"],
     ),
     // Radii that follow the load.
     instance("patch::elastic::HertzSphere<R>", &["LoadedRadius"]),

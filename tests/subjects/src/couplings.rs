@@ -73,6 +73,7 @@ pub fn combined<R: Real>(input: &mut Input<'_>) -> Verdict {
             let own = band.inner_ratio();
             input.holds(own == ratio, "its inner ratio", &[own])?;
             let speeds = [input.number(), input.number()];
+            input.give(band.factors_and_rough_slope(&Speeds::new(speeds[0], speeds[1])));
             profile(input, &band, speeds)?;
             exact(input, &band, speeds)?;
             batches(input, &band)

@@ -8,10 +8,15 @@ use tribos_core::contact::TimeStep;
 use tribos_core::coupling::coulomb::CoulombDisk;
 use tribos_core::coupling::flat::{PatchShape, ShapeFriction};
 use tribos_core::floor::{Feet, Foot, SteadyState};
-use tribos_core::patch::affine_image::AffineMap;
+use tribos_core::patch::affine_image::{AffineImage, AffineMap, image_of};
 use tribos_core::patch::anisotropic::{AnisotropicPatch, AxisCoefficients};
+use tribos_core::patch::bar::Bar;
+use tribos_core::patch::ellipse::{Ellipse, EllipsePressure};
+use tribos_core::patch::mesh::{Mesh, Vertex};
+use tribos_core::patch::nodes::{Node, Nodes};
 use tribos_core::patch::outline::{Edge, Polygon};
 use tribos_core::patch::piece::HalfPlane;
+use tribos_core::patch::points::PointPatch;
 use tribos_core::patch::round::RoundPatch;
 use tribos_core::planar::PlanarBody;
 use tribos_core::real::Real;
@@ -28,10 +33,12 @@ const MOST_STRETCHED: f64 = 4.0;
 type Quadrangle<R> = Polygon<R, [Edge<R>; ROOM]>;
 
 pub fn floors<R: Real>(input: &mut Input<'_>) -> Verdict {
-    match input.below(5) {
+    match input.below(7) {
         0 => pieces::<R>(input),
         1 => directions::<R>(input),
         2 => round::<R>(input),
+        3 => blades::<R>(input),
+        4 => images::<R>(input),
         _ => feet::<R>(input),
     }
 }
@@ -50,6 +57,8 @@ fn quadrangle<R: Real>(input: &mut Input<'_>, size: R) -> Verdict<Quadrangle<R>>
 fn pieces<R: Real>(input: &mut Input<'_>) -> Verdict {
     let size = input.ordinary::<R>();
     let patch = quadrangle(input, size)?;
+    let sides = patch.edge_count();
+    input.holds(sides == 4, "four edges", &[size])?;
     let direction = [(); 2].map(|()| input.number::<R>());
     let side = HalfPlane::new(near(input, size), direction);
     let side = input.taken(side)?;
@@ -89,6 +98,7 @@ fn directions<R: Real>(input: &mut Input<'_>) -> Verdict {
     );
     let coefficients = input.taken(AxisCoefficients::new(mu, axis))?;
     let largest = coefficients.largest();
+    input.give(coefficients.mu());
     input.holds(largest >= mu[0] && largest >= mu[1], "the larger one", &mu)?;
     let made = input.taken(AnisotropicPatch::new(patch, coefficients))?;
     placed(input, &PatchShape::centre(&made), PatchShape::radius(&made))?;
@@ -96,9 +106,86 @@ fn directions<R: Real>(input: &mut Input<'_>) -> Verdict {
     if !input.is_mild() || least * R::from_f64(MOST_STRETCHED) < largest {
         return Ok(());
     }
+    let side = HalfPlane::new(near(input, size), [R::ONE, R::ZERO]);
+    let side = made.stretched_side(&input.taken(side)?);
+    let piece = input.taken(made.stretched().within(&side, [Edge::default(); ROOM]))?;
+    if let Some(piece) = piece {
+        let part = made.with_stretched(piece.patch);
+        placed(input, &PatchShape::centre(&part), PatchShape::radius(&part))?;
+    }
     let turn = AffineMap::placed([R::ZERO, R::ONE], near(input, size));
     let moved = input.present("the patch elsewhere", made.placed(&turn))?;
     borne(input, &moved)
+}
+
+/// A bar under linear pressure: an end, a piece.
+fn blades<R: Real>(input: &mut Input<'_>) -> Verdict {
+    let size = input.ordinary::<R>();
+    let bar = Bar::new(near(input, size), near(input, size));
+    let bar = input.taken(bar)?;
+    let slope = R::from_f64(input.unit::<f64>()) / bar.radius();
+    let bar = input.taken(bar.with_slope(slope))?;
+    input.give(bar.ends().into_iter().flatten());
+    let side = HalfPlane::new(near(input, size), [R::ONE, R::ZERO]);
+    let side = input.taken(side)?;
+    let at = near(input, size);
+    input.give([side.distance_of(at)]);
+    let mut share = R::ZERO;
+    for side in [side, side.other_side()] {
+        if let Some(piece) = bar.within(&side) {
+            share += piece.share;
+            placed(input, &piece.patch.centre(), piece.patch.radius())?;
+        }
+    }
+    input.accurate("shares of pieces", (share - R::ONE).abs(), R::ZERO, R::ONE)
+}
+
+/// Patches of all kinds, turned and moved.
+fn images<R: Real>(input: &mut Input<'_>) -> Verdict {
+    let size = input.ordinary::<R>();
+    let map = AffineMap::placed([R::ZERO, R::ONE], near(input, size));
+    let ends = [near(input, size), near(input, size), near(input, size)];
+    match input.below(4) {
+        0 => {
+            let bar = input.taken(Bar::new(ends[0], ends[1]))?;
+            let image = input.present("a bar elsewhere", bar.image(&map))?;
+            placed(input, &image.centre(), image.radius())
+        }
+        1 => {
+            let axes = [input.positive(), input.positive()];
+            let ellipse = input.taken(Ellipse::new(ends[0], axes, EllipsePressure::Hertz))?;
+            let image = input.present("an ellipse elsewhere", ellipse.image(&map))?;
+            placed(input, &image.centre(), image.radius())
+        }
+        2 => {
+            let vertex = |[x, y]: [R; 2]| Vertex {
+                x,
+                y,
+                pressure: R::ONE,
+            };
+            let mesh = input.taken(Mesh::new([ends.map(vertex)]))?;
+            for corner in mesh.corners().flatten() {
+                input.give([corner.x, corner.y, corner.pressure]);
+            }
+            let image = input.present("a mesh elsewhere", mesh.image(&map))?;
+            placed(input, &image.centre(), image.radius())
+        }
+        _ => {
+            let node = |[x, y]: [R; 2]| Node {
+                x,
+                y,
+                weight: R::ONE,
+            };
+            let moved = image_of(&map, &node(ends[0]));
+            input.give([moved.x, moved.y, moved.weight]);
+            let nodes = input.taken(Nodes::new(ends.map(node)))?;
+            let points = input.taken(PointPatch::new(nodes))?;
+            let same = points.moved(&map, |nodes| nodes);
+            input.give([same.radius()]);
+            let image = input.present("points elsewhere", points.image(&map))?;
+            placed(input, &image.centre(), image.radius())
+        }
+    }
 }
 
 /// A disk in a place of its own.
@@ -106,6 +193,9 @@ fn round<R: Real>(input: &mut Input<'_>) -> Verdict {
     let size = input.ordinary::<R>();
     let patch = RoundPatch::new(CoulombDisk, near(input, size), input.positive());
     let patch = input.taken(patch)?;
+    input.give([PatchShape::rounding(&patch)]);
+    let point = PatchShape::nearest_point(&patch, &Vector2::new(size, size));
+    input.holds(point.is_none(), "a patch without points", &[size])?;
     let is_its_own = *patch.coupling() == CoulombDisk;
     input.holds(is_its_own, "its coupling", &[patch.radius()])?;
     placed(input, &patch.centre(), patch.radius())?;

@@ -177,6 +177,7 @@ fn loaded<R: Real, A: LoadedRadius<R>>(input: &mut Input<'_>, area: A) -> Verdic
         friction.slope_by_load(load, &motion),
     );
     input.give(parts(&slope));
+    input.give([friction.area().growth(load)]);
     if let Ok(fixed) = input.taken(friction.at(load)) {
         input.give([fixed.radius()]);
     }

@@ -7,7 +7,7 @@ use crate::{Input, Verdict};
 use tribos_core::coupling::coulomb::{
     CoulombDisk, CoulombHertz, CoulombParaboloid, CoulombPunch, CoulombRing,
 };
-use tribos_core::coupling::{Annulus, DryProfile, DryReducedFriction};
+use tribos_core::coupling::{Annulus, DryProfile, DryReducedFriction, WornAnnulus};
 use tribos_core::limit_surface::{
     FrictionSet, LimitEllipsoid, Projection, Region, RoundLimitSurface,
 };
@@ -49,7 +49,13 @@ pub fn sets<R: Real>(input: &mut Input<'_>) -> Verdict {
 
 /// Surfaces of tiers that other sets stand for.
 fn rare<R: Real>(input: &mut Input<'_>, force: R, radius: R) -> Verdict {
-    match input.below(3) {
+    match input.below(4) {
+        3 => {
+            let ratio = inner_ratio(input);
+            let worn = input.taken(WornAnnulus::new(ratio))?;
+            let set = input.taken(RoundLimitSurface::new(worn, force, radius))?;
+            round(input, &set)
+        }
         0 => {
             let set = input.taken(RoundLimitSurface::new(CoulombParaboloid, force, radius))?;
             round(input, &set)

@@ -45,8 +45,19 @@ macro_rules! flat {
     };
 }
 
+/// Modules of every patch with curved sides.
+macro_rules! elliptic {
+    ($more:literal) => {
+        concat!(
+            "coupling::flat coupling::flat::ellipse coupling::flat::ellipse_closed coupling::flat::panels coupling::flat::motion ",
+            "special::elliptic special::legendre ",
+            $more
+        )
+    };
+}
+
 /// One pair of speeds or one twist in.
-pub const PATCHES: [Item; 18] = [
+pub const PATCHES: [Item; 27] = [
     coupled(
         "Hertz: form",
         BOTH,
@@ -184,6 +195,87 @@ pub const PATCHES: [Item; 18] = [
         Code::new(
             "ShapeLimitSurface::new(spikes(b)?, 0.5).ok()?",
             "turned(&object.twist_normal_to(&given.push))",
+        ),
+    ),
+    coupled(
+        "worn annulus",
+        NARROW,
+        round!(
+            "coupling::worn coupling::coulomb coupling::coulomb::form coupling::coulomb::terms special::log_part special::log_quotient special::legendre"
+        ),
+        "WornAnnulus::new(0.6 as R).ok()?",
+    ),
+    dry(
+        "ellipse, Hertz: Coulomb",
+        NARROW,
+        elliptic!("patch::ellipse"),
+        "ShapeFriction::new(Ellipse::new([0.0, 0.0], [1.0, b], EllipsePressure::Hertz).ok()?, 0.5).ok()?",
+    ),
+    dry(
+        "half a disk: Coulomb",
+        NARROW,
+        elliptic!(
+            "patch::ellipse patch::arcs patch::arcs_cut patch::arcs_maker patch::edge coupling::flat::arcs coupling::flat::uniform coupling::flat::moving_edge lanes patch::outline special::log_part special::log_quotient"
+        ),
+        "ShapeFriction::new(half_disk(b)?, 0.5).ok()?",
+    ),
+    dry(
+        "square, two coefficients",
+        NARROW,
+        flat!(
+            "patch::flat_pressure patch::outline_check patch::anisotropic patch::affine_image coupling::flat::anisotropic"
+        ),
+        "ShapeFriction::new(AnisotropicPatch::new(square(b)?, AxisCoefficients::new([0.5, 1.0], [1.0, a]).ok()?).ok()?, 0.5).ok()?",
+    ),
+    item(
+        ["patch", "half a square on a belt"],
+        NARROW,
+        flat!(
+            "patch::flat_pressure patch::outline_check patch::piece floor floor::group coupling::flat::feet patch::feet"
+        ),
+        Code::new(
+            "half_square(b)?",
+            "Feet::new(core::slice::from_ref(object)).map_or(0.0, |feet| whole(&feet.wrench(&given.twist)))",
+        ),
+    ),
+    item(
+        ["patch", "disk on a belt: steady motion"],
+        NARROW,
+        round!(
+            "patch::round coupling::flat coupling::flat::round coupling::flat::motion coupling::flat::feet patch::feet floor floor::group floor::search floor::steady limit_surface limit_surface::shape limit_surface::quadratic limit_surface::search limit_surface::nonsmooth_search coupling::coulomb coupling::coulomb::form coupling::coulomb::terms special::log_part special::log_quotient coupling::batch::ways"
+        ),
+        Code::new(
+            "belted(b)?",
+            "Feet::new(core::slice::from_ref(object)).map_or(0.0, |feet| steady(&feet.steady_motion(&given.push)))",
+        ),
+    ),
+    item(
+        ["patch", "Hertz' sphere: friction and its slope by the load"],
+        NARROW,
+        round!(
+            "coupling::loaded patch::elastic coupling::coulomb coupling::coulomb::form coupling::coulomb::terms special::log_part special::log_quotient coupling::batch::ways"
+        ),
+        Code::new(
+            "LoadedFriction::new(coulomb::CoulombHertz, 0.5, HertzSphere::new(1e6, b).ok()?).ok()?",
+            "whole(&object.slope_by_load(given.load, &given.twist))",
+        ),
+    ),
+    item(
+        ["patch", "JKR: radius"],
+        NARROW,
+        "patch::elastic patch::elastic::adhesive",
+        Code::new(
+            "AdhesiveSphere::new(1e6, b, 0.05).ok()?",
+            "object.radius(given.load)",
+        ),
+    ),
+    item(
+        ["patch", "elliptic Hertz: semi-axes"],
+        NARROW,
+        "patch::elastic patch::elastic::ellipse special::elliptic",
+        Code::new(
+            "HertzEllipse::new(1e6, [1.0, b]).ok()?",
+            "object.semi_axes(given.load)[0]",
         ),
     ),
 ];

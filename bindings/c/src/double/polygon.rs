@@ -157,12 +157,12 @@ impl tribos_polygon_f64 {
 }
 
 /// A patch whose edges are in the caller's memory.
-pub(super) type Lent<'a> = Patch<&'a [Edge<f64>]>;
+pub(super) type LentEdges<'a> = Patch<&'a [Edge<f64>]>;
 
 #[inline(always)]
 pub(super) unsafe fn patch_of<'a>(
     polygon: *const tribos_polygon_f64,
-) -> Result<Lent<'a>, tribos_status> {
+) -> Result<LentEdges<'a>, tribos_status> {
     let given = read(polygon)?;
     let edges = slice(given.edges.cast_const().cast::<Edge<f64>>(), given.count)?;
     Ok(given.patch(edges))
@@ -172,7 +172,7 @@ pub(super) unsafe fn patch_of<'a>(
 unsafe fn friction_of<'a>(
     polygon: *const tribos_polygon_f64,
     coefficient: f64,
-) -> Result<ShapeFriction<f64, Lent<'a>>, tribos_status> {
+) -> Result<ShapeFriction<f64, LentEdges<'a>>, tribos_status> {
     Ok(ShapeFriction::new(patch_of(polygon)?, coefficient)?)
 }
 
@@ -180,7 +180,7 @@ unsafe fn friction_of<'a>(
 unsafe fn surface_of<'a>(
     polygon: *const tribos_polygon_f64,
     force_limit: f64,
-) -> Result<ShapeLimitSurface<f64, Lent<'a>>, tribos_status> {
+) -> Result<ShapeLimitSurface<f64, LentEdges<'a>>, tribos_status> {
     Ok(ShapeLimitSurface::new(patch_of(polygon)?, force_limit)?)
 }
 

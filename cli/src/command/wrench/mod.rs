@@ -137,14 +137,9 @@ Examples:
   A ball on a soft pad with a Stribeck law, and a tall cylinder's sideways force:
     tribos wrench --patch hertz --law stribeck:mu_s=0.2,mu_d=0.1,vs=0.01 --radius 0.01 --speed 0.1 --spin 5
     tribos wrench --tilt 0.6 --coefficient 0.2 --load 10 --radius 0.08 --speed 1 --spin 5
-  Three feet (a CSV file with the header x,y,weight):
-    tribos wrench --patch points:feet.csv --coefficient 0.3 --load 20 --speed 0.5 --spin -2
-  A box that slides and turns, and one whose weight is towards its front:
-    tribos wrench --patch box:0.3x0.2 --coefficient 0.4 --load 20 --speed 0.5 --spin 3 --jacobian
+  A box whose weight is towards its front, and one half of which lies on a belt:
     tribos wrench --patch box:0.3x0.2 --centre 0.03,0 --coefficient 0.4 --load 20 --speed 0.5 --spin 3
-  A tread that grips across x twice as well as along it, and a box half of which lies on a belt:
-    tribos wrench --patch box:0.2x0.08 --coefficient 0.45,0.9 --load 100 --speed 0.1 --spin 2
-    tribos wrench --patch box:0.3x0.2 --coefficient 0.4 --load 20 --surface belts.csv --speed 0
+    tribos wrench --patch box:0.3x0.2 --coefficient 0.4 --load 20 --speed 0 --surface belts.csv
   The contact face of a solver, triangles with a pressure at each corner:
     tribos wrench --patch mesh:face.csv --coefficient 0.5 --load 80 --speed 0.1 --spin 2 --jacobian
   Many twists from a file, in single precision:

@@ -6,7 +6,7 @@ use super::{Arguments, contact, warn_of_beyond};
 use crate::command::number::{self, in_range};
 use crate::failure::Failure;
 use std::path::Path;
-use tribos::friction::{Area, AreaFriction, Floor, Law, Precision, Surface};
+use tribos::friction::{Area, AreaFriction, FlatPatch, Floor, Law, Patch, Precision, Surface};
 use tribos::record::Rows;
 use tribos_core::twist::{Twist, Wrench, WrenchJacobian};
 
@@ -93,6 +93,16 @@ pub fn of_edges<R: Precision>(arguments: &Arguments) -> Result<(), Failure> {
         }
     }
     let load = in_range("load", arguments.load)?;
+    if let (Patch::Flat(FlatPatch::Feet(file)), None, Some([mu, 0.0]), true) = (
+        &arguments.patch,
+        &arguments.surface,
+        law.power_of_speed(),
+        coefficients.is_isotropic(),
+    ) {
+        // Each on its own surface.
+        let floor = Floor::feet_of(file, mu * arguments.load)?;
+        return deliver(arguments, &OnFloor::<R>::Moving(floor), &given);
+    }
     let Some(file) = &arguments.surface else {
         let friction = AreaFriction::new(&coefficients.on(area)?, &law, None)?;
         return deliver(arguments, &OnFloor::AtRest(friction, load), &given);

@@ -17,7 +17,7 @@ use super::motion::Motion;
 use super::moving_edge::{MovingEdge, UnitMotion};
 use super::panels::{Complex, Panels};
 use super::{COMPACT, Hessian, PatchShape, Reduced, uniform};
-use crate::patch::arcs::{Arc, ArcOutline, Course, Side};
+use crate::patch::arcs::{Arc, ArcOutline, Side, SideCourse};
 use crate::real::Real;
 use nalgebra::Vector2;
 
@@ -41,11 +41,11 @@ impl<R: Real, S: AsRef<[Side<R>]>> PatchShape<R> for ArcOutline<R, S> {
         let mut sums = [R::ZERO; 3];
         for side in self.sides() {
             let parts = match &side.0 {
-                Course::Straight(edge) => {
+                SideCourse::Straight(edge) => {
                     let edge = core::slice::from_ref(edge);
                     uniform::summed::<R, R::Several, 3>(edge, &motion, MovingEdge::wrench)
                 }
-                Course::Curved(arc) => along(arc, &motion, Passed::wrench),
+                SideCourse::Curved(arc) => along(arc, &motion, Passed::wrench),
             };
             add(&mut sums, parts);
         }
@@ -57,7 +57,7 @@ impl<R: Real, S: AsRef<[Side<R>]>> PatchShape<R> for ArcOutline<R, S> {
         let mut sums = [R::ZERO; 9];
         for side in self.sides() {
             let parts = match &side.0 {
-                Course::Straight(edge) => {
+                SideCourse::Straight(edge) => {
                     let edge = core::slice::from_ref(edge);
                     uniform::summed::<R, R::Several, 9>(
                         edge,
@@ -65,7 +65,7 @@ impl<R: Real, S: AsRef<[Side<R>]>> PatchShape<R> for ArcOutline<R, S> {
                         MovingEdge::wrench_and_hessian,
                     )
                 }
-                Course::Curved(arc) => along(arc, &motion, Passed::wrench_and_hessian),
+                SideCourse::Curved(arc) => along(arc, &motion, Passed::wrench_and_hessian),
             };
             add(&mut sums, parts);
         }

@@ -10,7 +10,7 @@ use crate::real::Real;
 use crate::twist::{Twist, Wrench};
 use std::vec::Vec;
 
-type Piece<R> = ArcOutline<R, [Side<R>; 24]>;
+type ArcPiece<R> = ArcOutline<R, [Side<R>; 24]>;
 
 /// Wrench about the origin and derivatives of the power under unit load and coefficient.
 fn friction<R: Real>(patch: &impl PatchShape<R>, [x, y, spin]: [f64; 3]) -> [f64; 9] {
@@ -66,7 +66,7 @@ fn motions(a: f64, b: f64) -> impl Iterator<Item = [f64; 3]> {
     turns.chain([[1.0, 0.0, 0.0], [-0.3, 0.4, 0.0], [0.2, 0.9, 1e-13]])
 }
 
-fn whole<R: Real>(a: f64, b: f64) -> Piece<R> {
+fn whole<R: Real>(a: f64, b: f64) -> ArcPiece<R> {
     let [a, b, zero] = [a, b, 0.0].map(R::from_f64);
     let arc = Border::Arc {
         centre: [zero; 2],
@@ -102,7 +102,7 @@ fn three_arcs_are_an_ellipse() {
 }
 
 /// Sum of the frictions of pieces, weighted by their areas, and that of the areas.
-fn together<R: Real>(pieces: &[Piece<R>], motion: [f64; 3]) -> ([f64; 9], f64) {
+fn together<R: Real>(pieces: &[ArcPiece<R>], motion: [f64; 3]) -> ([f64; 9], f64) {
     let mut sums = ([0.0; 9], 0.0);
     for piece in pieces {
         let area = piece.area().to_f64();
@@ -134,7 +134,7 @@ fn cells<R: Real>([x, y]: [f64; 2], [c, s]: [f64; 2]) -> Vec<[[R; 2]; 4]> {
         .to_vec()
 }
 
-fn cut<R: Real>(ellipse: &Ellipse<R>, cells: &[[[R; 2]; 4]]) -> Vec<Piece<R>> {
+fn cut<R: Real>(ellipse: &Ellipse<R>, cells: &[[[R; 2]; 4]]) -> Vec<ArcPiece<R>> {
     let pieces = cells
         .iter()
         .map(|cell| ArcOutline::cut(ellipse, cell, [Side::default(); 24]));
@@ -246,7 +246,7 @@ fn a_concave_arc_is_a_polygon_with_many_corners() {
         line([0.0, 1.0], [-1.0, 1.0]),
         line([-1.0, 1.0], [-1.0, -1.0]),
     ];
-    let piece: Piece<f64> = ArcOutline::new(&borders, [Side::default(); 24]).unwrap();
+    let piece: ArcPiece<f64> = ArcOutline::new(&borders, [Side::default(); 24]).unwrap();
     assert!((piece.area() - (4.0 - 0.25 * half_turn)).abs() < 1e-15);
     for motion in [
         [0.1, 0.2, 1.0],

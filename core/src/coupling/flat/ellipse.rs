@@ -47,7 +47,7 @@ impl<R: Real> PatchShape<R> for Ellipse<R> {
     }
 
     fn reduced(&self, motion: &Motion<R>) -> Reduced<R> {
-        let seen = Seen::new(self, motion);
+        let seen = EllipseMotion::new(self, motion);
         let sums = match closed(self, &seen) {
             Some(closed) => closed.wrench(),
             None => seen.wrench(),
@@ -56,7 +56,7 @@ impl<R: Real> PatchShape<R> for Ellipse<R> {
     }
 
     fn reduced_with_hessian(&self, motion: &Motion<R>) -> (Reduced<R>, Hessian<R>) {
-        let seen = Seen::new(self, motion);
+        let seen = EllipseMotion::new(self, motion);
         let (wrench, second) = match closed(self, &seen) {
             Some(closed) => (closed.wrench(), closed.hessian()),
             None => seen.wrench_and_hessian(),
@@ -93,7 +93,7 @@ impl EllipsePressure {
 /// A motion as the ellipse sees it: along its axes, which are turned over so that both components of the
 /// centre of rotation are positive.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen<R> {
+pub(super) struct EllipseMotion<R> {
     /// Place of the centre of rotation times |rim|, in semi-axes a.
     across: [R; 2],
     /// The same for the ellipse stretched to a unit disk.
@@ -147,7 +147,7 @@ impl<R: Real> Line<R> {
     }
 }
 
-impl<R: Real> Seen<R> {
+impl<R: Real> EllipseMotion<R> {
     #[inline]
     fn new(ellipse: &Ellipse<R>, motion: &Motion<R>) -> Self {
         let (major, minor) = (ellipse.major_axis(), ellipse.minor());

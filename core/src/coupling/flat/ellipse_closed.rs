@@ -8,7 +8,7 @@
 //!
 //! of even i and j up to 4; odd ones vanish.
 
-use super::ellipse::Seen;
+use super::ellipse::EllipseMotion;
 use crate::patch::ellipse::{Ellipse, EllipsePressure};
 use crate::real::Real;
 
@@ -29,7 +29,7 @@ pub(super) struct Closed<R> {
 
 /// The closed form, if there is one.
 #[inline]
-pub(super) fn closed<R: Real>(ellipse: &Ellipse<R>, seen: &Seen<R>) -> Option<Closed<R>> {
+pub(super) fn closed<R: Real>(ellipse: &Ellipse<R>, seen: &EllipseMotion<R>) -> Option<Closed<R>> {
     let pressure = ellipse.pressure();
     let bend = match pressure {
         EllipsePressure::FlatPunch => R::ZERO,
@@ -72,7 +72,7 @@ pub(super) fn closed<R: Real>(ellipse: &Ellipse<R>, seen: &Seen<R>) -> Option<Cl
 }
 
 impl<R: Real> Closed<R> {
-    /// As [`Seen::wrench`].
+    /// As [`EllipseMotion::wrench`].
     #[inline]
     pub fn wrench(&self) -> [R; 3] {
         let [p20, p02, p40, p22, p04] = self.over_delta;
@@ -105,7 +105,7 @@ impl<R: Real> Closed<R> {
         ]
     }
 
-    /// As [`Seen::hessian`].
+    /// As [`EllipseMotion::hessian`].
     pub fn hessian(&self) -> [R; 6] {
         let [q20, q02, q40, q22, q04, _] = self.over_cube;
         let (b, bend) = (self.ratio, self.bend);

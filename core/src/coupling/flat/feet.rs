@@ -6,13 +6,11 @@
 use super::motion::Motion;
 use super::points::rest;
 use super::{Hessian, PatchShape, PointLoad, Reduced};
-use crate::patch::feet::{CompoundPatch, PatchPart, PlacedPatch};
+use crate::patch::feet::{CompoundPatch, PlacedPatch};
 use crate::real::Real;
 use nalgebra::Vector2;
 
-impl<R: Real, P: PatchShape<R>, S: AsRef<[PatchPart<R, P>]>> PatchShape<R>
-    for CompoundPatch<R, P, S>
-{
+impl<R: Real, P: PatchShape<R>> PatchShape<R> for CompoundPatch<'_, R, P> {
     fn centre(&self) -> Vector2<R> {
         CompoundPatch::centre(self)
     }

@@ -3,7 +3,7 @@
 use tribos_base::scene::key::{Domain::*, MOST_SAMPLES, Need::*};
 use tribos_base::scene::reader::SceneDiagnostics;
 use tribos_base::scene::table::{as_written, scene};
-use tribos_friction::{PATCH, Patch};
+use tribos_friction::{FlatPatch, PATCH, Patch};
 
 scene! {
     /// A body on the floor that a pusher moves, slowly enough that nothing has inertia.
@@ -22,7 +22,7 @@ scene! {
     pub struct PushScene = "push", "A body that is pushed over the floor", rules, as_written;
 
     /// Contact of the body with the floor: box:AxB, polygon:FILE, bar:L, or a round patch such as disk.
-    patch: Patch = Patch::Flat(tribos_friction::FlatPatch::Box([0.3, 0.2])), "-", PATCH, Required;
+    patch: Patch = Patch::Flat(FlatPatch::Box([0.3, 0.2])), "-", PATCH, Required;
     /// Radius of a round patch.
     radius: f64 = 0.05, "m", Positive;
     /// Friction coefficient between body and floor.
@@ -104,9 +104,16 @@ fn rules(scene: &PushScene, judge: &mut SceneDiagnostics<'_>) {
             "a centre of pressure is for boxes and polygons: leave `centre_x` and `centre_y` out";
         judge.refuse(&["centre_x", "centre_y"], message);
     }
-    if matches!(scene.patch, Patch::Points(_)) {
+    let has_sides = match &scene.patch {
+        Patch::Flat(flat) => matches!(
+            flat,
+            FlatPatch::Box(_) | FlatPatch::Polygon(_) | FlatPatch::Bar(_) | FlatPatch::Mesh(_)
+        ),
+        other => !matches!(other, Patch::Points(_)),
+    };
+    if !has_sides {
         let message =
-            "points have no smooth limit surface: name a box, a polygon, a bar or a round patch";
+            "a pusher needs a side to touch: name a box, a polygon, a bar, a mesh or a round patch";
         judge.refuse(&["patch"], message);
     }
     if [scene.contact_x, scene.contact_y] == [0.0; 2]
