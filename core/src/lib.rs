@@ -73,13 +73,14 @@
 //! |---|---|
 //! | [`twist`] | planar twists (motion) and wrenches (load) |
 //! | [`law`] | friction of one surface element: dry, power law, Stribeck, rate and state, LuGre, … |
-//! | [`patch`] | shape and pressure of the contact: round patches, points, polygons |
+//! | [`patch`] | shape and pressure of the contact: round patches, ellipses, polygons, points; two coefficients |
 //! | [`coupling`] | law × patch → force, torque and Jacobian, in accuracy tiers chosen by type |
 //! | [`limit_surface`] | all wrenches that dry friction can carry: gauge, normal, projection |
 //! | [`modes`] | the ratio of sliding to spinning just before rest |
 //! | [`bond`] | bonds of a body at rest, and the load under which they let go |
 //! | [`slider`] | a body followed to rest |
 //! | [`planar`] | a body pushed and turned on its patch: implicit time steps that stick and slip |
+//! | [`floor`] | a body on several feet, each on a surface that moves: belts, treads, turntables |
 //! | [`holding`] | whether a push at rest holds or slips, from what is certain and what is possible |
 //! | [`presliding`] | elastic hold before sliding: exact, without creep, with micro-slip and its losses |
 //! | [`contact`] | contacts of rigid bodies that open, slide, roll and spin: impulses under thresholds |
