@@ -77,6 +77,9 @@ impl<R: Real> AxisCoefficients<R> {
     }
 }
 
+/// Rounding errors by which the length of a turned axis may differ from 1.
+const TURN_ULPS: f64 = 16.0;
+
 /// A patch under friction that differs along two axes, which are fixed to the patch.
 ///
 /// It is a [`crate::coupling::flat::PatchShape`] under the larger coefficient: friction, limit surface, time steps and
@@ -142,9 +145,15 @@ impl<R: Real, P: AffineImage<R>> AnisotropicPatch<R, P> {
 }
 
 impl<R: Real, P: AffineImage<R>> AnisotropicPatch<R, P> {
-    /// The patch and its axes, turned and moved.
+    /// The patch and its axes, turned and moved; `None` for a map that stretches.
     #[doc(hidden)]
     pub fn placed(self, map: &AffineMap<R>) -> Option<Self> {
+        let [first, second] = map.rows;
+        let is_turn = first.x == second.y && first.y == -second.x;
+        let length = first.x.hypot(first.y);
+        if !(is_turn && (length - R::ONE).abs() <= R::from_f64(TURN_ULPS) * R::EPSILON) {
+            return None;
+        }
         let axis = map.of_vector(&self.axis);
         let ([along, across], shift) = (self.shares, map.shift);
         let moved = AffineMap {

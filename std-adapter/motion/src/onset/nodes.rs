@@ -75,6 +75,21 @@ fn map_disk_to_annulus(disk: &[Node<f64>], inner: f64, radius: f64) -> Vec<Node<
 fn of_flat(flat: &FlatPatch, centre: Option<[f64; 2]>) -> Result<Vec<Node<f64>>, FrictionError> {
     // All refusals are those of the exact patch.
     flat.loaded::<f64>(centre)?;
+    if let FlatPatch::Ellipse(_)
+    | FlatPatch::HertzEllipse(_)
+    | FlatPatch::Bolts(..)
+    | FlatPatch::Feet(_) = flat
+    {
+        let reason = format!(
+            "bonds have no nodes on {flat}: give a round patch, a box, a polygon, a bar, a mesh or points"
+        );
+        return Err(FrictionError::Unserved(reason));
+    }
+    if matches!(flat, FlatPatch::Bar(_)) && centre.is_some() {
+        return Err(FrictionError::Unserved(
+            "bonds of a bar are under uniform pressure: leave the centre of pressure out".into(),
+        ));
+    }
     if let FlatPatch::Mesh(file) = flat {
         return of_mesh(file);
     }
