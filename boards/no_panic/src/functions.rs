@@ -136,7 +136,9 @@ fn definition(function: &Function, number: usize) -> String {
             for closure in function.parameters.iter().filter(|p| is_closure(p)) {
                 inputs = inputs.replace(
                     &closure.name,
-                    &closure.bounds[0].replace("core::ops::Fn", "fn"),
+                    &closure.bounds[0]
+                        .replace("core::ops::FnOnce", "fn")
+                        .replace("core::ops::Fn", "fn"),
                 );
             }
             format!(" as fn({inputs}) -> _")
