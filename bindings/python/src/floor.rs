@@ -18,6 +18,9 @@ type SurfaceRow = (Vec<[f64; 2]>, [f64; 3]);
 /// Patch, coefficient, load in N, place in m, angle in degrees, and the motion of the surface.
 type FootRow<'py> = (PyRef<'py, Patch>, f64, f64, [f64; 2], f64, [f64; 3]);
 
+/// Twist, friction, the foot that rests, evaluations.
+type SteadyRow = ([f64; 3], [f64; 3], Option<usize>, usize);
+
 /// Nanoseconds that a foot takes, about.
 const COST: usize = 300;
 
@@ -127,10 +130,7 @@ impl Floor {
 
     /// Twist, friction, the foot that rests and evaluations of the steady motion under a push; the name of what
     /// happens where there is none.
-    fn steady_motion(
-        &self,
-        push: [f64; 3],
-    ) -> Result<([f64; 3], [f64; 3], Option<usize>, usize), PyErr> {
+    fn steady_motion(&self, push: [f64; 3]) -> PyResult<SteadyRow> {
         match self.0.steady_motion(&wrench_of(push)) {
             SteadyState::Balanced(found) => Ok((
                 twist_numbers(&found.twist),

@@ -6,6 +6,7 @@ use crate::exchange::Refused;
 use alloc::rc::Rc;
 use alloc::vec::Vec;
 use core::cell::RefCell;
+use std::boxed::Box;
 use tribos_core::limit_surface::UnknownPressureSet;
 use tribos_friction::{AnyLaw, Floor, Law};
 
@@ -13,7 +14,7 @@ use tribos_friction::{AnyLaw, Floor, Law};
 #[derive(Debug)]
 pub enum Item {
     /// Friction of a patch under a law.
-    Patch(Prepared),
+    Patch(Box<Prepared>),
     /// A law of the local speed, by its name and as the kernel has it.
     Law(Law, AnyLaw<f64>),
     /// Laws of a contact.

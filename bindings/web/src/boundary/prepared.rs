@@ -7,6 +7,7 @@ use crate::all::prepared::Prepared;
 use crate::all::store::{self, Item, OTHER};
 use crate::exchange::{Refused, answer, counted, said, say, status};
 use crate::friction::{row_of, twist_of, wrench_of};
+use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::num::NonZeroU32;
 use tribos_core::law::LocalLaw;
@@ -35,7 +36,7 @@ pub(super) fn keep_area(area: Result<Area, Refused>, law: &str) -> u32 {
     status(made.map(|patch| {
         let (radius, [x, y]) = (patch.area.radius(), patch.area.centre());
         let [coefficient, alpha] = patch.power();
-        let handle = store::keep(Item::Patch(patch));
+        let handle = store::keep(Item::Patch(Box::new(patch)));
         answer([handle.into(), radius, x, y, coefficient, alpha]);
     }))
 }
