@@ -50,7 +50,10 @@ from worlds import BOX_GEOM, DISK, FRICTIONLESS, PUCK_GEOM, model_of, world
         ({"mu": "nan"}, "mu must be"),
         ({"mu": "inf"}, "mu must be"),
         ({"mu": "0.3 0.3"}, "mu must be"),
-        ({"mu_s": 0.2}, 'mu_s, the coefficient at rest, must be one number >= mu and finite, not "0.2"'),
+        (
+            {"mu_s": 0.2},
+            'mu_s, the coefficient at rest, must be one number >= mu and finite, not "0.2"',
+        ),
         ({"mu_s": "inf"}, "mu_s, the coefficient at rest"),
         ({"mu_s": "0.4 0.5"}, "mu_s, the coefficient at rest"),
         ({"ageing_b": 0.02}, "both ageing_b and ageing_t0"),

@@ -97,8 +97,17 @@ def test_what_rests_longer_holds_more():
 
 def test_four_feet_of_a_table_hold_together():
     corners = [(x, y) for x in (-0.2, 0.2) for y in (-0.15, 0.15)]
-    feet = {f"f{i}": {"geom": f"f{i}", "ground": "floor", "patch": "disk", "size": 0.01, "mu": 0.3, "mu_s": 0.45}
-            for i in range(4)}
+    feet = {
+        f"f{i}": {
+            "geom": f"f{i}",
+            "ground": "floor",
+            "patch": "disk",
+            "size": 0.01,
+            "mu": 0.3,
+            "mu_s": 0.45,
+        }
+        for i in range(4)
+    }
     geoms = "".join(
         f'<geom name="f{i}" type="cylinder" size="0.01 0.01" pos="{x} {y} -0.04" mass="0.01" {FRICTIONLESS}/>'
         for i, (x, y) in enumerate(corners)
@@ -123,7 +132,11 @@ def test_four_feet_of_a_table_hold_together():
 
 def test_equal_coefficients_have_the_bits_of_one():
     results = []
-    for keys in (STATIC | {"mu_s": ""}, STATIC | {"mu_s": 0.3}, {key: STATIC[key] for key in ("patch", "size", "mu")}):
+    for keys in (
+        STATIC | {"mu_s": ""},
+        STATIC | {"mu_s": 0.3},
+        {key: STATIC[key] for key in ("patch", "size", "mu")},
+    ):
         model, data = world(BOX_GEOM, keys, option='integrator="implicitfast"')
         data.qvel[:2], data.qvel[5] = (0.5, 0.1), 4
         mujoco.mj_step(model, data, nstep=1500)

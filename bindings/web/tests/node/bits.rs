@@ -112,7 +112,7 @@ fn plain(radius: f64, mu: f64) -> Friction {
 fn made(area: Area, law: &str) -> Friction {
     let prepared = Prepared::new(area, law).unwrap();
     let (radius, [mu, _]) = (prepared.area.radius(), prepared.power());
-    let handle = store::keep(Item::Patch(prepared));
+    let handle = store::keep(Item::Patch(Box::new(prepared)));
     let patch = Patch { handle, radius, mu };
     Friction { patch, mu, radius }
 }
