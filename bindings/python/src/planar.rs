@@ -27,6 +27,8 @@ struct BodyArguments<'py> {
     inertia: Bound<'py, PyAny>,
     /// In s.
     dt: Bound<'py, PyAny>,
+    /// Static over kinetic friction, at least 1.
+    strength: f64,
 }
 
 /// The same as numbers.
@@ -111,12 +113,21 @@ const BLANK: PlanarStep<f64> = PlanarStep {
 /// Bodies that are stepped together.
 struct Stepper<'a> {
     surfaces: SurfaceBatch<'a>,
+    /// One by one, where static friction is above kinetic friction.
+    alone: Option<Alone<'a>>,
     bodies: Vec<(PlanarBody<f64>, TimeStep<f64>)>,
     twists: Vec<Twist<f64>>,
     pushes: Vec<Wrench<f64>>,
     /// Sine and cosine of the angles by which patches are turned.
     turns: Vec<Option<[f64; 2]>>,
     steps: Vec<PlanarStep<f64>>,
+}
+
+/// What bodies are stepped one by one with.
+struct Alone<'a> {
+    sets: &'a Sets,
+    limits: &'a [f64],
+    strength: f64,
 }
 
 /// A body before a step: the angle by which its patch is turned, in rad, if that matters, its motion and its push.
@@ -126,12 +137,17 @@ impl<'a> Stepper<'a> {
     /// For the bodies `of`, which have these force limits.
     fn new(
         surfaces: &'a Sets,
-        limits: &'a [f64],
+        (limits, strength): (&'a [f64], f64),
         bodies: &Bodies<'_>,
         of: Range<usize>,
     ) -> PyResult<Self> {
         Ok(Self {
             surfaces: surfaces.0.under_each(limits).map_err(refused)?,
+            alone: (strength > 1.0).then_some(Alone {
+                sets: surfaces,
+                limits,
+                strength,
+            }),
             twists: Vec::with_capacity(of.len()),
             pushes: Vec::with_capacity(of.len()),
             turns: Vec::with_capacity(of.len()),
@@ -141,7 +157,7 @@ impl<'a> Stepper<'a> {
     }
 
     /// One step of all bodies.
-    fn step(&mut self, all: impl Iterator<Item = Before>) -> &[PlanarStep<f64>] {
+    fn step(&mut self, all: impl Iterator<Item = Before>) -> PyResult<&[PlanarStep<f64>]> {
         self.twists.clear();
         self.pushes.clear();
         self.turns.clear();
@@ -153,8 +169,27 @@ impl<'a> Stepper<'a> {
             self.pushes.push(wrench_of(turned(push, turn)));
             self.turns.push(turn.map(|[sin, cos]| [-sin, cos]));
         }
-        self.surfaces
-            .step_batch(&self.bodies, &self.twists, &self.pushes, &mut self.steps);
+        match &self.alone {
+            None => {
+                self.surfaces
+                    .step_batch(&self.bodies, &self.twists, &self.pushes, &mut self.steps);
+            }
+            Some(alone) => {
+                let all = self
+                    .steps
+                    .iter_mut()
+                    .zip(self.twists.iter().zip(&self.pushes));
+                // One load, and one body, stand for all.
+                let last = |of: usize, index: usize| index.min(of.saturating_sub(1));
+                for (index, (step, (twist, push))) in all.enumerate() {
+                    let limit = alone.limits[last(alone.limits.len(), index)];
+                    let (body, dt) = self.bodies[last(self.bodies.len(), index)];
+                    *step = alone.sets.with(limit, |set| {
+                        body.step_sticking(set, alone.strength, twist, push, dt)
+                    })?;
+                }
+            }
+        }
         for (step, turn) in self.steps.iter_mut().zip(&self.turns) {
             if turn.is_some() {
                 step.friction = wrench_of(turned(numbers(&step.friction), *turn));
@@ -163,7 +198,7 @@ impl<'a> Stepper<'a> {
                 step.twist = twist_of(turned(twist_numbers(&step.twist), *turn));
             }
         }
-        &self.steps
+        Ok(&self.steps)
     }
 }
 
@@ -201,7 +236,8 @@ pub fn planar_step<'py>(
     out: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<[Bound<'py, PyAny>; 3]> {
     let (py, patch) = (patch.py(), patch.get());
-    let given = bodies.extract::<BodyArguments<'py>>()?.numbered()?;
+    let arguments = bodies.extract::<BodyArguments<'py>>()?;
+    let (given, strength) = (arguments.numbered()?, arguments.strength);
     let twists = Rows::<3>::new("twists", twists)?;
     let pushes = Rows::<3>::new("pushes", pushes)?;
     let angle = Numbers::new("angle", angle)?;
@@ -219,12 +255,13 @@ pub fn planar_step<'py>(
     fill_together(py, &mut steps, cost, TOGETHER, |from, piece| {
         let all = from..from + piece.len();
         let limits = bodies.limits(all.clone());
-        let mut stepper = Stepper::new(&surface.sets, limits.as_flattened(), &bodies, all.clone())?;
+        let limits = (limits.as_flattened(), strength);
+        let mut stepper = Stepper::new(&surface.sets, limits, &bodies, all.clone())?;
         let before = |index| {
             let angle = turns.then(|| angle.at(index)[0]);
             (angle, start.at(index), pushes.at(index))
         };
-        piece.copy_from_slice(stepper.step(all.map(before)));
+        piece.copy_from_slice(stepper.step(all.map(before))?);
         Ok(())
     })?;
 
@@ -273,7 +310,8 @@ pub fn planar_rollout<'py>(
     poses: &Bound<'py, PyAny>,
 ) -> PyResult<[Bound<'py, PyAny>; 3]> {
     let (py, patch) = (patch.py(), patch.get());
-    let given = bodies.extract::<BodyArguments<'py>>()?.numbered()?;
+    let arguments = bodies.extract::<BodyArguments<'py>>()?;
+    let (given, strength) = (arguments.numbered()?, arguments.strength);
     let twists = Rows::<3>::new("twists", twists)?;
     let poses = Rows::<3>::new("poses", poses)?;
     let pushes = Rows::<3>::new("pushes", pushes)?;
@@ -310,7 +348,7 @@ pub fn planar_rollout<'py>(
     fill_together(py, &mut courses, whole, TOGETHER, |from, piece| {
         let all = from..from + piece.len();
         let limits = bodies.limits(all.clone());
-        let limits = limits.as_flattened();
+        let limits = (limits.as_flattened(), strength);
         let mut stepper = Stepper::new(&surface.sets, limits, &bodies, all.clone())?;
         let state = |index| [start.at(index), origin.at(index)];
         let mut states: Vec<_> = all.clone().map(state).collect();
@@ -320,7 +358,7 @@ pub fn planar_rollout<'py>(
                 let angle = turns.then(|| pose[2] + bodies.half_step(index) * twist[2]);
                 (angle, *twist, pushes.at(index * count + step))
             };
-            let done = stepper.step(all.clone().zip(&states).map(before));
+            let done = stepper.step(all.clone().zip(&states).map(before))?;
             let bodies_after = all.clone().zip(&mut states).zip(done);
             for (((index, state), done), course) in bodies_after.zip(piece.iter_mut()) {
                 *state = moved(*state, twist_numbers(&done.twist), bodies.half_step(index));

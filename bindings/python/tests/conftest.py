@@ -54,10 +54,14 @@ if IS_QUICK:
 
 PATCHES = [
     tribos.annulus(0.03, 0.04),
+    tribos.anisotropic(tribos.box(0.3, 0.2), (0.5, 1.0), 0.3),
     tribos.bar(0.2),
+    tribos.bolts(6, 0.05),
     tribos.box(0.3, 0.2, centre=(0.01, 0.02)),
     tribos.disk(0.04),
+    tribos.ellipse(0.04, 0.03),
     tribos.hertz(0.04),
+    tribos.hertz_ellipse(0.04, 0.03),
     tribos.mesh([[0.0, 0.0], [0.1, 0.0], [0.0, 0.1]], [[0, 1, 2]], [1.0, 2.0, 3.0]),
     tribos.paraboloid(0.04),
     tribos.points([[0.1, 0.0], [-0.1, 0.05], [-0.1, -0.05]], [1.0, 2.0, 1.0]),
@@ -66,6 +70,7 @@ PATCHES = [
     tribos.power(0.01, 0.25),
     tribos.punch(0.04),
     tribos.ring(0.04),
+    tribos.worn_annulus(0.03, 0.04),
 ]
 """A patch of each kind."""
 

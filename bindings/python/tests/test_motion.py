@@ -748,3 +748,23 @@ def test_a_step_on_four_feet_has_no_more_friction_than_they_carry(dt, inertia):
     step = body.step(twists, np.zeros(3), dt=dt)
     assert surface.gauge(step.friction).max() < 1.0 + 1e-9
     assert (body.energy(step.twists) <= body.energy(twists) * (1.0 + 1e-12)).all()
+
+
+def test_static_friction_holds_until_it_is_exceeded_and_equal_coefficients_change_no_bit() -> None:
+    crate = tribos.Friction(tribos.box(0.4, 0.3), mu=0.5)
+    rng = np.random.default_rng(4)
+    twists, pushes = rng.normal(size=(40, 3)), 40.0 * rng.normal(size=(40, 3))
+    plain = tribos.PlanarBody(crate, mass=8.0, inertia=0.17, load=80.0)
+    same = tribos.PlanarBody(crate, mass=8.0, inertia=0.17, load=80.0, mu_s=0.5)
+    assert np.array_equal(
+        plain.step(twists, pushes, 0.01).twists, same.step(twists, pushes, 0.01).twists
+    )
+    # 40 N in motion, 56 N at rest, whatever the step.
+    stuck = tribos.PlanarBody(crate, mass=8.0, inertia=0.17, load=80.0, mu_s=0.7)
+    share = np.array([[1.0 - 1e-9, 0.0, 0.0], [1.0 + 1e-9, 0.0, 0.0]])
+    for dt in (1e-5, 1e-2, 1.0):
+        step = stuck.step(np.zeros((2, 3)), 56.0 * share, dt)
+        assert list(step.at_rest) == [True, False]
+        assert np.isclose(step.twists[1, 0], 16.0 / 8.0 * dt)
+    with pytest.raises(ValueError, match="mu_s must be at least"):
+        tribos.PlanarBody(crate, mass=8.0, inertia=0.17, mu_s=0.4)

@@ -449,7 +449,13 @@ class PlanarStep(OnSurface):
     def value(self, *given: Any) -> tuple[Any, ...]:
         twists, pushes, load, mass, inertia, dt = given
         limits = self.limits(load)
-        bodies = {"force_limit": limits, "mass": mass, "inertia": inertia, "dt": dt}
+        bodies = {
+            "force_limit": limits,
+            "mass": mass,
+            "inertia": inertia,
+            "dt": dt,
+            "strength": 1.0,
+        }
         patch = self.friction.patch._handle
         return tuple(_native.planar_step(patch, self.surface, bodies, twists, pushes, 0.0))
 

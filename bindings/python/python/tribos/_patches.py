@@ -458,8 +458,8 @@ def hertz_ellipse(a: float, b: float) -> Patch:
     --------
     >>> import tribos
     >>> ball = tribos.Friction(tribos.hertz_ellipse(1.2e-3, 0.2e-3), mu=0.08)
-    >>> print(ball.wrench([0.0, 0.0, 30.0], load=400.0).round(7))       # 3/8 mu Q a E(e)
-    [ 0.         0.        -0.0148994]
+    >>> round(-1e3 * float(ball.wrench([0.0, 0.0, 30.0], load=400.0)[2]), 3)    # 3/8 mu Q a E(e), in mN m
+    14.94
     """
     return _elliptic("hertz_ellipse", "hertz-ellipse", a, b)
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tribos import _native
-from tribos._checks import positive, reals
+from tribos._checks import number, positive, reals
 from tribos._friction import Friction
 
 
@@ -55,6 +55,9 @@ class PlanarBody:
         Normal force in N, at least 0; None for ``mass * gravity``.
     gravity
         Acceleration that presses the body down, in m/s².
+    mu_s
+        Coefficient at rest, at least that of the friction: a body at rest stays until the push exceeds it, and then slides
+        under the friction in the same step. None for the same coefficient. Such bodies are stepped one by one.
 
     Notes
     -----
@@ -80,14 +83,18 @@ class PlanarBody:
     array([ True, False])
     >>> print(step.twists[1].round(5))                               # (60 - 39.24)/8 * 0.01 m/s
     [0.02595 0.      0.     ]
+    >>> stuck = tribos.PlanarBody(wood, mass=8.0, inertia=0.17, mu_s=0.8)    # 62.78 N hold it at rest
+    >>> stuck.step(np.zeros((2, 3)), pushes, dt=0.01).at_rest
+    array([ True,  True])
     """
 
-    __slots__ = ("_limit", "_surface", "friction", "inertia", "load", "mass")
+    __slots__ = ("_limit", "_surface", "friction", "inertia", "load", "mass", "mu_s")
 
     friction: Friction
     mass: Any
     inertia: Any
     load: Any
+    mu_s: float
     _limit: Any
     _surface: _native.LimitSurface
 
@@ -99,6 +106,7 @@ class PlanarBody:
         *,
         load: ArrayLike | None = None,
         gravity: float = 9.81,
+        mu_s: float | None = None,
     ) -> None:
         if not isinstance(friction, Friction):
             raise ValueError(f"friction must be a tribos.Friction, not {friction!r}")
@@ -109,6 +117,12 @@ class PlanarBody:
         set_(self, "inertia", _positive("inertia", inertia))
         weight = np.multiply(self.mass, positive("gravity", gravity)) if load is None else load
         set_(self, "load", _load(weight))
+        static = mu if mu_s is None else number("mu_s", mu_s)
+        if static < mu:
+            raise ValueError(
+                f"mu_s must be at least the coefficient of sliding, {mu!r}, not {mu_s!r}"
+            )
+        set_(self, "mu_s", static)
         set_(self, "_limit", mu * self.load)
         set_(self, "_surface", friction.patch._limits())
         # The kernel refuses wrong bodies here rather than in the first step.
@@ -237,6 +251,7 @@ class PlanarBody:
             "mass": self.mass,
             "inertia": self.inertia,
             "dt": dt,
+            "strength": self.mu_s / self.friction.mu if self.friction.mu > 0.0 else 1.0,
         }
 
     def __repr__(self) -> str:
@@ -244,14 +259,15 @@ class PlanarBody:
             f"{name}={_short(value)}"
             for name, value in (("mass", self.mass), ("inertia", self.inertia), ("load", self.load))
         )
-        return f"tribos.PlanarBody({self.friction!r}, {', '.join(given)})"
+        static = "" if self.mu_s == self.friction.mu else f", mu_s={self.mu_s!r}"
+        return f"tribos.PlanarBody({self.friction!r}, {', '.join(given)}{static})"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _made, (self.friction, self.mass, self.inertia, self.load)
+        return _made, (self.friction, self.mass, self.inertia, self.load, self.mu_s)
 
 
-def _made(friction: Friction, mass: Any, inertia: Any, load: Any) -> PlanarBody:
-    return PlanarBody(friction, mass, inertia, load=load)
+def _made(friction: Friction, mass: Any, inertia: Any, load: Any, mu_s: float) -> PlanarBody:
+    return PlanarBody(friction, mass, inertia, load=load, mu_s=mu_s)
 
 
 def _kept(name: str, value: ArrayLike) -> Any:

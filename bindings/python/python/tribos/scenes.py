@@ -211,6 +211,11 @@ class PlateScene(Scene):
         *Unit*: rad. *Value*: a finite number.
     mu
         Coulomb's friction coefficient. *Value*: a finite number > 0.
+    mu_across
+        Friction coefficient across an axis of the outline, `mu` being that along it; the same if it
+        is left out. *Value*: a finite number > 0.
+    axis
+        Angle from the x axis of the outline to that axis. *Unit*: rad. *Value*: a finite number.
     gyration_radius
         Radius of gyration about the upright axis; that of a plate of uniform thickness if it is
         left out. *Unit*: m. *Value*: a finite number > 0.
@@ -229,6 +234,8 @@ class PlateScene(Scene):
     spin: float = 5.0
     orientation: float = 0.0
     mu: float = 0.3
+    mu_across: float | None = None
+    axis: float = 0.0
     gyration_radius: float | None = None
     gravity: float = 9.81
     mass: float = 0.5
