@@ -129,7 +129,10 @@ def calls() -> list[object]:
     add("points", tribos.points, places)
     weights = [[1], [-1, 1, 1], [0, 0, 0], [NAN, 1, 1], [1, 0, 0], "abc"]
     add("weights", lambda x: tribos.points(TRIANGLE, x), weights)
-    add("mu", lambda x: tribos.Friction(tribos.disk(1.0), mu=x), [-0.1, -1e-300, *NO_NUMBERS])
+    # Two coefficients along two axes are numbers; the lists here are not.
+    mu = [value for value in NO_NUMBERS if value != [0.1, 0.2]]
+    pairs = [[0.1, 0.0], [-0.1, 0.2], [0.1, NAN], [0.1, 0.2, 0.3]]
+    add("mu", lambda x: tribos.Friction(tribos.disk(1.0), mu=x), [-0.1, -1e-300, *mu, *pairs])
     exponents = [-1.0, -2.0, 1e9, *(value for value in NO_NUMBERS if value is not None)]
     add("alpha", lambda x: tribos.Friction(tribos.disk(1.0), mu=1.0, alpha=x), exponents)
     add("square alpha", lambda x: tribos.Friction(tribos.box(1, 1), mu=1.0, alpha=x), [-1.0, 11.0])

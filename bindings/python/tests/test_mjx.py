@@ -258,13 +258,14 @@ def test_models_without_sense_are_refused():
 def test_the_plugins_own_elements_are_read():
     # As MuJoCo has them where the plugin is loaded, after an instance of another plugin.
     texts = (
-        b"5\0puck\0table\0\0disk\0000.05\0\0000.3\0heel toe\0table\0sole\0box\0000.1 0.2\0\0000.5\0"
+        b"5\0puck\0table\0\0disk\0000.05\0\0000.3\0\0\0\0"
+        b"heel toe\0table\0sole\0box\0000.1 0.2\0\0000.5\0\0\0\0"
     )
     model = SimpleNamespace(
         nplugin=3,
         plugin_attr=np.frombuffer(texts, np.int8),
         plugin_attradr=[0, 2, texts.index(b"heel")],
-        plugin_statenum=[0, 14, 14],
+        plugin_statenum=[0, 15, 15],
     )
     puck, sole = _mjx_model.of_model(model)
     assert puck == ("puck", DISK, ("puck",), ("table",), "")
