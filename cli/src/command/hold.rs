@@ -60,7 +60,7 @@ pub struct Arguments {
 
 /// Format of the output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Format {
+pub enum Format {
     /// For people.
     Text,
     /// One object.

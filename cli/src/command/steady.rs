@@ -1,7 +1,7 @@
 //! `tribos steady`: the motion in which friction of a floor that moves by part balances a push.
 
 use super::digits::shown;
-use super::hold::force;
+use super::hold::{Format, force};
 use super::number;
 use super::wrench::{centre, patches};
 use crate::failure::Failure;
@@ -58,15 +58,6 @@ pub struct Arguments {
     /// Output format.
     #[arg(long, default_value = "text")]
     format: Format,
-}
-
-/// Format of the output.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Format {
-    /// For people.
-    Text,
-    /// One object.
-    Json,
 }
 
 const EXAMPLES: &str = "\
