@@ -53,7 +53,7 @@ mod _native {
     #[pymodule_export]
     use floor::Floor;
     #[pymodule_export]
-    use friction::Friction;
+    use friction::{Friction, LoadedFriction};
     #[pymodule_export]
     use gradients::{RestMap, SurfaceDerivatives};
     #[pymodule_export]

@@ -30,6 +30,7 @@ from tribos._gradients import (
 )
 from tribos._inverse import Launch, inverse
 from tribos._laws import Law, laws
+from tribos._loaded import LoadedFriction
 from tribos._log import Look, look
 from tribos._manifold import ContactForce, Manifold, SolverReport
 from tribos._modes import FixedPoint, Modes, modes
@@ -83,6 +84,7 @@ __all__ = [
     "LawFit",
     "LimitSurface",
     "LineContact",
+    "LoadedFriction",
     "Look",
     "LuGre",
     "Manifold",

@@ -16,7 +16,7 @@ use number::in_range;
 use output::{Fields, Format, Line};
 pub use planar::centre;
 use std::path::{Path, PathBuf};
-use tribos::friction::{Coefficients, Law, Patch, Precision, Tier};
+use tribos::friction::{Coefficients, ContactRadius, Law, Patch, Precision, Tier};
 use tribos::record::Rows;
 use tribos::record::write_atomically;
 
@@ -74,9 +74,10 @@ pub struct Arguments {
     /// Load [N].
     #[arg(long, default_value = "1", value_parser = number::not_negative, allow_negative_numbers = true)]
     load: f64,
-    /// Radius of the contact [m].
-    #[arg(long, default_value = "1", value_parser = number::positive, allow_negative_numbers = true)]
-    radius: f64,
+    /// Radius of the contact [m], or what makes it of the load, such as hertz:modulus=1e6,radius=0.01.
+    #[arg(long, default_value = "1", value_name = "R", value_parser = number::radius, allow_negative_numbers = true,
+          long_help = number::radius_help("Radius of the contact [m], or what makes it of the load."))]
+    radius: ContactRadius,
     /// Sliding speed along x [m/s], of either sign [default: 0 where --spin is given].
     #[arg(long, value_parser = number::finite, allow_negative_numbers = true,
           required_unless_present_any = ["twists", "spin"], conflicts_with = "twists")]
@@ -189,18 +190,28 @@ impl Arguments {
         let at = |twist| self.line(&contact, load, twist);
         match &self.twists {
             Some(file) => {
-                let given = given::contact(self, contact.tier());
+                let given = given::contact(self, contact.tier())?;
                 let at = |twist| at(twist).map(|line: Line| (line.fields(), line.is_beyond));
                 self.all(file, &["speed", "spin"], &given, at)
             }
             None => {
                 let format = self.format.unwrap_or(Format::Text);
-                let given = given::contact(self, contact.tier());
+                let given = given::contact(self, contact.tier())?;
                 let line = at(self.twist())?;
                 warn_of_beyond(u64::from(line.is_beyond));
                 self.deliver(&format.one(&line.fields(), &given), format, &given)
             }
         }
+    }
+
+    /// The radius under the load, in m.
+    fn radius(&self) -> Result<f64, Failure> {
+        Ok(self.radius.at(self.load)?)
+    }
+
+    /// Whether a radius was asked for that is not the default.
+    fn has_radius(&self) -> bool {
+        self.radius != ContactRadius::Given(1.0)
     }
 
     /// The one twist: what is not given is 0.
@@ -285,7 +296,7 @@ impl Arguments {
             alpha: self.alpha,
             tier: self.tier,
             coefficient: self.coefficient.largest(),
-            radius: self.radius,
+            radius: self.radius()?,
             tilt,
         })
     }
