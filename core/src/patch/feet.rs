@@ -17,6 +17,7 @@ use nalgebra::Vector2;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[repr(C)]
 pub struct PatchPart<R, P> {
     /// The patch.
     pub patch: P,
