@@ -1615,7 +1615,7 @@ tribos_status tribos_shape_points_f64(struct tribos_node_f64 *nodes,
 
 // Several shapes under one body as one, while all surfaces under them move alike: with coefficient x load or the
 // force limit of a call the sum of all limits. Parts and their shapes stay where they are. Domain: limits with a
-// finite, positive sum; TRIBOS_STATUS_NOT_BUILT if `shape` itself is among the parts.
+// finite, positive sum; TRIBOS_STATUS_CHOICE if a part is `shape` itself or several shapes.
 tribos_status tribos_shape_feet_f64(const struct tribos_part_f64 *parts,
                                     size_t count,
                                     struct tribos_shape_f64 *shape);
@@ -2542,7 +2542,7 @@ tribos_status tribos_shape_points_f32(struct tribos_node_f32 *nodes,
 
 // Several shapes under one body as one, while all surfaces under them move alike: with coefficient x load or the
 // force limit of a call the sum of all limits. Parts and their shapes stay where they are. Domain: limits with a
-// finite, positive sum; TRIBOS_STATUS_NOT_BUILT if `shape` itself is among the parts.
+// finite, positive sum; TRIBOS_STATUS_CHOICE if a part is `shape` itself or several shapes.
 tribos_status tribos_shape_feet_f32(const struct tribos_part_f32 *parts,
                                     size_t count,
                                     struct tribos_shape_f32 *shape);

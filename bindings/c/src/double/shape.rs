@@ -354,7 +354,7 @@ pub unsafe extern "C" fn tribos_shape_points_f64(
 
 /// Several shapes under one body as one, while all surfaces under them move alike: with coefficient x load or the
 /// force limit of a call the sum of all limits. Parts and their shapes stay where they are. Domain: limits with a
-/// finite, positive sum; TRIBOS_STATUS_NOT_BUILT if `shape` itself is among the parts.
+/// finite, positive sum; TRIBOS_STATUS_CHOICE if a part is `shape` itself or several shapes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tribos_shape_feet_f64(
     parts: *const tribos_part_f64,
@@ -363,9 +363,9 @@ pub unsafe extern "C" fn tribos_shape_feet_f64(
 ) -> tribos_status {
     build(shape, || {
         for part in slice(parts, count)? {
-            held(part.shape)?;
-            if core::ptr::eq(part.shape, shape) {
-                return Err(tribos_status::NotBuilt);
+            let is_feet = matches!(held(part.shape)?, Shape::Feet(_));
+            if is_feet || core::ptr::eq(part.shape, shape) {
+                return Err(tribos_status::Choice);
             }
         }
         Ok(Shape::Feet(CompoundPatch::new(slice(

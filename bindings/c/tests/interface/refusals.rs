@@ -142,19 +142,19 @@ unsafe fn other_shapes(expect: &mut impl FnMut(tribos_status, tribos_status)) {
     let two = |shape| tribos_shape_two_coefficients_f64(shape, 1.0, 2.0, &point(1.0));
     expect(two(&mut shape), S::Choice);
     let part = |shape, limit| tribos_part_f64 { shape, limit };
-    let own = [part(&raw const all, 1.0)];
-    expect(
-        tribos_shape_feet_f64(own.as_ptr(), 1, &mut all),
-        S::NotBuilt,
-    );
     let mut feet = |limit| tribos_shape_feet_f64(&part(&shape, limit), 1, &mut all);
     expect(feet(0.0), S::Unloaded);
     expect(feet(-1.0), S::NodeWeight);
     expect(feet(1.0), S::Ok);
+    let own = part(&raw const shape, 1.0);
+    expect(tribos_shape_feet_f64(&own, 1, &mut shape), S::Choice);
     expect(
-        tribos_shape_feet_f64(own.as_ptr(), 1, &mut all),
-        S::NotBuilt,
+        tribos_shape_feet_f64(&part(&all, 1.0), 1, &mut shape),
+        S::Choice,
     );
+    let mut unbuilt = std::mem::zeroed::<tribos_shape_f64>();
+    let own = part(&raw const unbuilt, 1.0);
+    expect(tribos_shape_feet_f64(&own, 1, &mut unbuilt), S::NotBuilt);
     expect(two(&mut all), S::Choice);
 }
 
