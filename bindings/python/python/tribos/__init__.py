@@ -35,7 +35,7 @@ from tribos._log import Look, look
 from tribos._manifold import ContactForce, Manifold, SolverReport
 from tribos._modes import FixedPoint, Modes, modes
 from tribos._patches import *  # noqa: F403 - every patch
-from tribos._planar import PlanarBody, Rollout, Step
+from tribos._planar import PlanarBody, Rollout
 from tribos._push import (
     ConeEdge,
     Grip,
@@ -53,6 +53,7 @@ from tribos._scene import Scene, scene
 from tribos._slide import Motion, Rest, slide, slide_path
 from tribos._state import LuGre, RateState
 from tribos._states import Frame, Frames, State
+from tribos._step import Step
 from tribos._strokes import Strokes, strokes
 from tribos._surface import LimitSurface
 from tribos._sweep import cases, run_case, sweep

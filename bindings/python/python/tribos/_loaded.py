@@ -67,9 +67,7 @@ class LoadedFriction(Frozen):
         """d ln radius / d ln load: 1/3 of an elastic sphere."""
         return self._each(load, 1)
 
-    def wrench(
-        self, twists: ArrayLike, load: ArrayLike, *, out: NDArray[Any] | None = None
-    ) -> Any:
+    def wrench(self, twists: ArrayLike, load: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
         """Force in N and torque in N m on the body, of shape (..., 3), as `Friction.wrench` under the radius of each load."""
         return self._handle.wrench(twists, load, out)
 

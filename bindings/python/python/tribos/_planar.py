@@ -179,7 +179,7 @@ class PlanarBody:
 
         >>> belts = [([[0, 0], [1, 0]], [0.5, 0, 0]), ([[1, 0], [0, 0]], [-0.5, 0, 0])]
         >>> twist = np.zeros(3)
-        >>> for _ in range(400):
+        >>> for _ in range(1000):
         ...     twist = puck.step(twist, [0.0, 0.0, 0.0], dt=0.005, surface=belts).twists
         >>> steady = puck.friction.steady_motion(0.17 * 9.81, belts)
         >>> bool(abs(twist - steady.twist).max() < 1e-9)
