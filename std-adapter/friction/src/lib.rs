@@ -72,6 +72,9 @@ pub use coefficients::Coefficients;
 #[doc(hidden)]
 pub use contact_friction::{AnyContactFriction, ContactVisitor};
 pub use contact_radius::ContactRadius;
+#[cfg(feature = "scenes")]
+#[doc(hidden)]
+pub use feet_files::load_of_feet;
 #[doc(hidden)]
 pub use flat::Flat;
 pub use flat::FlatPatch;

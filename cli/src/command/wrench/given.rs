@@ -28,7 +28,7 @@ pub fn contact(arguments: &Arguments, tier: Tier) -> Result<Vec<ContactParameter
             .tilt
             .map(|tilt| ContactParameter::Number("tilt", tilt, "")),
     );
-    given.push(ContactParameter::Number("load", arguments.load, "N"));
+    given.push(ContactParameter::Number("load", arguments.load()?, "N"));
     match &arguments.law {
         Some(law) => given.push(ContactParameter::Word("law", law.to_string())),
         None => {

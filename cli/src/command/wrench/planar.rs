@@ -71,7 +71,7 @@ pub fn of_edges<R: Precision>(arguments: &Arguments) -> Result<(), Failure> {
     for (name, x) in law.values() {
         in_range::<R>(name, x)?;
     }
-    let own_radius = arguments.radius()?;
+    let (own_load, own_radius) = (arguments.load()?, arguments.radius()?);
     let radius = in_range::<R>("radius", own_radius)?;
     let area = Area::named(&arguments.patch, radius, arguments.centre)?;
     let mut given = vec![ContactParameter::Word("patch", arguments.patch.to_string())];
@@ -81,7 +81,7 @@ pub fn of_edges<R: Precision>(arguments: &Arguments) -> Result<(), Failure> {
     if let Some([x, y]) = arguments.centre {
         given.push(ContactParameter::Word("centre", format!("{x},{y} m")));
     }
-    given.push(ContactParameter::Number("load", arguments.load, "N"));
+    given.push(ContactParameter::Number("load", own_load, "N"));
     if let Some([coefficient, alpha]) = law.power_of_speed() {
         let is_dry = alpha == 0.0;
         let unit = if is_dry { "" } else { "(s/m)^alpha" };
@@ -93,7 +93,7 @@ pub fn of_edges<R: Precision>(arguments: &Arguments) -> Result<(), Failure> {
             given.push(ContactParameter::Number("alpha", alpha, ""));
         }
     }
-    let load = in_range("load", arguments.load)?;
+    let load = in_range("load", own_load)?;
     if let (Patch::Flat(FlatPatch::Feet(file)), None, Some([mu, 0.0]), true) = (
         &arguments.patch,
         &arguments.surface,
@@ -101,7 +101,7 @@ pub fn of_edges<R: Precision>(arguments: &Arguments) -> Result<(), Failure> {
         coefficients.is_isotropic(),
     ) {
         // Each on its own surface.
-        let floor = Floor::feet_of(file, mu * arguments.load)?;
+        let floor = Floor::feet_of(file, mu * own_load)?;
         return deliver(arguments, &OnFloor::<R>::Moving(floor), &given);
     }
     let Some(file) = &arguments.surface else {
@@ -117,7 +117,7 @@ pub fn of_edges<R: Precision>(arguments: &Arguments) -> Result<(), Failure> {
         file.display().to_string(),
     ));
     let area = Area::<f64>::named(&arguments.patch, own_radius, arguments.centre)?;
-    let floor = Floor::under(&area, &coefficients, arguments.load, &Surface::read(file)?)?;
+    let floor = Floor::under(&area, &coefficients, own_load, &Surface::read(file)?)?;
     deliver(arguments, &OnFloor::<R>::Moving(floor), &given)
 }
 
@@ -173,10 +173,10 @@ pub fn of_points<R: Precision>(arguments: &Arguments, path: &Path) -> Result<(),
     }
     let friction = AreaFriction::at_points(contact::points(path, &|_| R::ONE)?, &law)?;
     let coefficient: R = in_range("coefficient", arguments.coefficient.largest())?;
-    let load = coefficient * in_range::<R>("load", arguments.load)?;
+    let load = coefficient * in_range::<R>("load", arguments.load()?)?;
     let given = [
         ContactParameter::Word("patch", arguments.patch.to_string()),
-        ContactParameter::Number("load", arguments.load, "N"),
+        ContactParameter::Number("load", arguments.load()?, "N"),
         ContactParameter::Word("law", law.to_string()),
         ContactParameter::Number("coefficient", arguments.coefficient.largest(), ""),
     ];
