@@ -33,6 +33,7 @@ from tribos._laws import Law, laws
 from tribos._log import Look, look
 from tribos._manifold import ContactForce, Manifold, SolverReport
 from tribos._modes import FixedPoint, Modes, modes
+from tribos._packing import Packing, read_packing
 from tribos._patches import *  # noqa: F403 - every patch
 from tribos._planar import PlanarBody, Rollout, Step
 from tribos._push import (
@@ -89,6 +90,7 @@ __all__ = [
     "Modes",
     "Motion",
     "MotionCone",
+    "Packing",
     "PlanarBody",
     "PlanarStepBy",
     "PlanarStepJacobian",
@@ -130,6 +132,7 @@ __all__ = [
     "planar_step_jacobian",
     "push",
     "push_along",
+    "read_packing",
     "resume",
     "run",
     "run_case",
