@@ -234,7 +234,7 @@ impl Arguments {
             return Ok(None);
         }
         let mut states = Vec::new();
-        for (step, state) in Assembly::read_all(&self.source, self.columns.columns.as_ref())? {
+        for (step, state) in Assembly::read_all_as(&self.source, self.columns.columns.as_ref())? {
             states.push((step, self.periodic(state)?));
         }
         let (count, mut done, mut last) = (states.len(), 0, Instant::now());

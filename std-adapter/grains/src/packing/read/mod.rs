@@ -217,7 +217,12 @@ impl Assembly {
     }
 
     /// All kept states: the frames of a run's folder, or those of a file, in order with their numbers.
-    pub fn read_all(
+    pub fn read_all(path: &Path) -> Result<Vec<(u64, Self)>, AssemblyError> {
+        Self::read_all_as(path, None)
+    }
+
+    /// As [`Assembly::read_all`], with what the columns of a table are.
+    pub fn read_all_as(
         path: &Path,
         columns: Option<&PackingColumns>,
     ) -> Result<Vec<(u64, Self)>, AssemblyError> {
