@@ -113,6 +113,17 @@ impl Assembly {
         if self.space.lengths().contains(&None) {
             lost.push("which axes repeat");
         }
+        // Along open axes the box has to hold all spheres.
+        let mut bounds = self.bounds;
+        for (axis, ends) in bounds.iter_mut().enumerate() {
+            if self.space.lengths()[axis].is_none() {
+                let [low, high] = self.extent(axis);
+                *ends = [ends[0].min(low), ends[1].max(high)];
+            }
+        }
+        if self.has_box && bounds != self.bounds {
+            lost.push("the ends of the box, which reaches around all spheres here");
+        }
         let places: Vec<_> = self
             .positions
             .iter()
@@ -120,7 +131,7 @@ impl Assembly {
             .collect();
         let unknown = vec![UNKNOWN_DENSITY; self.radii.len()];
         sphere_data_file(&SphereRows {
-            bounds: self.bounds,
+            bounds,
             tilt: self.space.offset(),
             positions: &places,
             radii: &self.radii,
