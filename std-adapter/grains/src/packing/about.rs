@@ -4,6 +4,9 @@ use super::Assembly;
 use std::f64::consts::PI;
 use tribos_base::space::{AXES, SpaceError};
 
+/// Depth in smaller radii, and the two spheres.
+pub(crate) type Overlap = (f64, [u32; 2]);
+
 impl Assembly {
     /// What is known of the spheres, each line with its name: number and radii, densities, types, motion, box with periods and
     /// tilt, solid fraction, contacts and the deepest overlap; `shown` writes a number.
@@ -128,7 +131,7 @@ impl Assembly {
     }
 
     /// Number of pairs that touch, and the deepest overlap over the smaller radius with its spheres.
-    pub(crate) fn overlaps(&self) -> Result<(usize, Option<(f64, [u32; 2])>), SpaceError> {
+    pub(crate) fn overlaps(&self) -> Result<(usize, Option<Overlap>), SpaceError> {
         let mut touching = Self::new(self.space, self.positions.clone(), self.radii.clone());
         touching.touch(0.0)?;
         Ok((touching.contacts.len(), self.deepest()?))

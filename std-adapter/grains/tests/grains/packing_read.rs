@@ -200,13 +200,15 @@ fn files_without_radii_tilted_or_cut_are_refused_by_line() {
 /// A scene of spheres.
 enum Scene {
     Grains(Box<GrainsScene>),
-    Powder(PowderScene),
+    Powder(Box<PowderScene>),
     Gas(GasScene),
 }
 
 impl Scene {
     fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
-        let powder = PowderScene::parse(name, text, &[]).map(Self::Powder);
+        let powder = PowderScene::parse(name, text, &[])
+            .map(Box::new)
+            .map(Self::Powder);
         let gas = || GasScene::parse(name, text, &[]).map(Self::Gas);
         let grains = || {
             GrainsScene::parse(name, text, &[])
