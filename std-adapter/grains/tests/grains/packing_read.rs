@@ -431,7 +431,7 @@ fn no_format_loses_a_radius_a_density_a_material_a_period_or_the_tilt() {
                 mu_second: None,
                 second_density: None,
                 radius_spread: 0.0,
-                ..scene.clone()
+                ..(**scene).clone()
             };
             let data = powder::export::start(&soft).unwrap().data;
             let read = Assembly::parse("powder.data", &data).unwrap();
