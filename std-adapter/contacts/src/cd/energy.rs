@@ -221,7 +221,7 @@ fn along(wall: &Wall, velocity: &Vector3<f64>) -> f64 {
 }
 
 /// ½ m v² + ½ I ω² of a sphere's mass and inertia.
-pub(super) fn kinetic_energy(sphere: &SphereBody<f64>, v: &Vector3<f64>, w: &Vector3<f64>) -> f64 {
+pub(crate) fn kinetic_energy(sphere: &SphereBody<f64>, v: &Vector3<f64>, w: &Vector3<f64>) -> f64 {
     let (mass, inertia) = (1.0 / sphere.inv_mass, 1.0 / sphere.inv_inertia);
     0.5 * (mass * v.norm_squared() + inertia * w.norm_squared())
 }

@@ -111,6 +111,24 @@ pub enum WorldError {
         /// Rate given.
         rate: f64,
     },
+    /// An axis of a deforming cell does not repeat, or follows no number.
+    #[error(
+        "axis {axis} of the cell: only a periodic axis can follow a stress or a speed, and a finite one, not {given}"
+    )]
+    Cell {
+        /// Axis: 0, 1 or 2 for x, y or z.
+        axis: usize,
+        /// Value given.
+        given: f64,
+    },
+    /// The axes of a cell under a stress have no mass.
+    #[error(
+        "the mass of an axis of the cell under a stress must be positive and finite, not {given}"
+    )]
+    CellMass {
+        /// Value given.
+        given: f64,
+    },
     /// A sphere has a mass outside the valid range, or a state that is not finite.
     #[error(
         "sphere {body}: the mass must lie between 1e-100 and 1e100, the inertia must be positive \

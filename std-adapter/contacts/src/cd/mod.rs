@@ -61,6 +61,7 @@ mod wall_tests;
 mod world;
 
 pub use energy::EnergyBalance;
+pub(crate) use energy::kinetic_energy;
 pub use error::WorldError;
 pub use gauss_seidel::{IterationOrder, Iterations, StopRule};
 pub use mixture::MaterialTable;

@@ -28,6 +28,7 @@
 //! ```
 
 mod balance;
+mod cell;
 mod contact;
 mod kick;
 mod law;
@@ -37,6 +38,7 @@ mod step_length;
 mod transport;
 mod world;
 
+pub use cell::{AxisControl, CellControl};
 pub use contact::SoftContact;
 pub use law::Stiffness;
 #[doc(hidden)]

@@ -14,20 +14,24 @@ const SKIN: f64 = 0.3;
 impl<F: ContactFriction<f64>> SoftWorld<F> {
     /// Renews the list of neighbours once something has moved by half the margin.
     pub(super) fn list_neighbours(&mut self) -> Result<(), WorldError> {
-        let far = 0.5 * self.skin;
+        let far = 0.5 * (self.skin - self.image_drift);
         let positions = &self.state.positions;
         let moved = |(x, y): (&Vector3<f64>, &Vector3<f64>)| (x - y).norm_squared() > far * far;
         let shifted = |(wall, y): (&Wall, &f64)| (wall.place - y).abs() > far;
         let is_listed = self.listed
+            && (self.image_drift == 0.0 || far > 0.0)
             && !positions.iter().zip(&self.listed_at).any(moved)
             && !self.state.walls.iter().zip(&self.listed_walls).any(shifted);
         if is_listed {
             return Ok(());
         }
+        if self.setup.cell.is_some() {
+            self.skin = self.default_skin();
+        }
         let [range, at_walls] = self.laws.map(|law| law.cohesion.range());
         let step = self.state.steps;
         let found = self.cells.find(
-            &self.setup.space,
+            &self.state.space,
             positions,
             &self.setup.radii,
             range.max(0.0) + self.skin,
@@ -42,7 +46,7 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
         let mut lists = [pairs.collect(), Vec::new()];
         for (i, x) in positions.iter().enumerate() {
             for (w, wall) in self.state.walls.iter().enumerate() {
-                let height = wall.facing(&self.setup.space, x).height;
+                let height = wall.facing(&self.state.space, x).height;
                 if height - radii[i] <= at_walls + self.skin {
                     let block = block([radii[i], 0.0], &spheres[i], &wall.plate);
                     lists[1].push(SoftContact::apart([i as u32, w as u32], &block));
@@ -54,6 +58,7 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
         }
         self.state.contacts = lists;
         self.listed = true;
+        self.image_drift = 0.0;
         self.listed_at.clone_from(&self.state.positions);
         self.listed_walls.clear();
         self.listed_walls
@@ -71,7 +76,7 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             .fold(f64::INFINITY, f64::min);
         let largest = self.setup.radii.iter().copied().fold(0.0, f64::max);
         let range = self.laws[0].cohesion.range();
-        let lengths = self.setup.space.lengths().into_iter().flatten();
+        let lengths = self.state.space.lengths().into_iter().flatten();
         let room = lengths.fold(f64::INFINITY, f64::min) * 0.5 - 2.0 * largest - range;
         let skin = (SKIN * smallest).min(room);
         if skin > 0.0 && skin.is_finite() {

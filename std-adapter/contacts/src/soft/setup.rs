@@ -1,5 +1,6 @@
 //! Initial state, laws and parameters of a world of soft spheres.
 
+use super::cell::CellControl;
 use super::law::Law;
 use super::law::Stiffness;
 use crate::cd::{self, StepLimits, Wall, WorldError, WorldMaterials};
@@ -34,6 +35,8 @@ pub struct SoftSetup<F> {
     pub longest: f64,
     /// Least number of steps of a collision: at least 2.
     pub steps_per_collision: f64,
+    /// How the periodic box is deformed, if it is.
+    pub cell: Option<CellControl>,
 }
 
 /// Usual steps of a collision: its restitution is then right to 0.5 % from e = 0.1 to 1.
@@ -58,6 +61,7 @@ impl<F> SoftSetup<F> {
             gravity: Vector3::zeros(),
             longest: StepLimits::default().longest,
             steps_per_collision: STEPS_PER_COLLISION,
+            cell: None,
         }
     }
 
@@ -119,6 +123,9 @@ impl<F: Copy> SoftSetup<F> {
             },
             ..cd::WorldSetup::new(self.laws)
         };
+        if let Some(cell) = &self.cell {
+            cell.check(&self.space)?;
+        }
         bodies.check()
     }
 

@@ -1,5 +1,6 @@
 //! Motion of soft spheres and plates: leapfrog, with velocities at the ends of the steps.
 
+use super::cell::{self, CellLoads};
 use super::contact::{Energies, Motion, SoftContact};
 use super::law::Law;
 use super::setup::SoftSetup;
@@ -27,6 +28,10 @@ pub struct SoftState<M: ContactModes<f64>> {
     pub spheres: Vec<SphereBody<f64>>,
     /// Walls with their current positions and velocities.
     pub walls: Vec<Wall>,
+    /// The periodic box, with the images of a sheared one at their current places.
+    pub space: PeriodicBox,
+    /// Speeds at which the lengths of the box change.
+    pub speeds: [f64; 3],
     /// Energy balance so far.
     pub energy: EnergyBalance,
     /// Pairs of neighbours, and spheres near walls, in ascending order of the bodies. Most of them are apart.
@@ -75,6 +80,10 @@ pub struct SoftWorld<F: ContactFriction<f64>> {
     pub(super) listed: bool,
     pub(super) listed_at: Vec<Vector3<f64>>,
     pub(super) listed_walls: Vec<f64>,
+    /// Motion of the images since then, relative to the spheres.
+    pub(super) image_drift: f64,
+    /// Loads of the contacts on the cell.
+    pub(super) cell_loads: CellLoads,
     /// Energies of all contacts in the last step.
     pub(super) energies: Vec<Result<Energies, ContactError>>,
     /// Force and torque on each sphere, force on each wall.
@@ -101,11 +110,15 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             positions: setup.positions.clone(),
             spheres: setup.spheres.clone(),
             walls: setup.walls.clone(),
+            space: setup.space,
+            speeds: [0.0; 3],
             energy: EnergyBalance::default(),
             contacts: [Vec::new(), Vec::new()],
             origin: None,
         };
-        Ok(Self::resume(setup, state))
+        let mut world = Self::resume(setup, state);
+        world.add_flow();
+        Ok(world)
     }
 
     /// A world that continues from a state of a world with the same setup.
@@ -119,6 +132,8 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             listed: false,
             listed_at: Vec::new(),
             listed_walls: Vec::new(),
+            image_drift: 0.0,
+            cell_loads: CellLoads::default(),
             energies: Vec::new(),
             loads: Vec::new(),
             wall_loads: Vec::new(),
@@ -169,9 +184,10 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             walls,
             contacts,
             steps,
+            space,
             ..
         } = &mut self.state;
-        let (space, radii) = (&self.setup.space, &self.setup.radii);
+        let (space, radii) = (&*space, &self.setup.radii);
         for (kind, (contacts, stored)) in contacts.iter_mut().zip(stored).enumerate() {
             let mut stored = stored.iter().peekable();
             for contact in contacts {
@@ -182,7 +198,7 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
                 };
                 let [i, j] = bodies.map(|body| body as usize);
                 let touch = if kind == 0 {
-                    let (apart, _) = nearest_image(space, &positions[i], &positions[j]);
+                    let apart = space.displacement(&positions[i], &positions[j]);
                     ContactGeometry::spheres(&apart, [radii[i], radii[j]])
                 } else {
                     let Facing { outward, height } = walls[j].facing(space, &positions[i]);
@@ -204,11 +220,13 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
     /// the new forces change the velocities for its second half.
     pub fn step(&mut self) -> Result<StepReport, WorldError> {
         self.begin()?;
+        self.impose_speeds()?;
         let deepest = self.add_loads(|contact| contact.in_range.then_some(&contact.force));
         let SoftState { spheres, walls, .. } = &self.state;
         let dt = self.length.next(spheres, walls, deepest, &self.at_walls);
         self.kick(0.5 * dt, 0.5 * dt);
         self.drift(dt);
+        self.drift_cell(dt)?;
         self.check_motion()?;
         self.list_neighbours()?;
         let taken = self.find_forces(dt)?;
@@ -259,6 +277,7 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             .resize(self.state.walls.len(), Vector3::zeros());
         self.at_walls.clear();
         self.at_walls.resize(self.state.walls.len(), 0);
+        let mut cell = CellLoads::default();
         let [pairs, walls] = &self.state.contacts;
         for (contact, load) in pairs
             .iter()
@@ -268,6 +287,7 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             let (force, couple) = (load.linear(&contact.normal), load.angular(&contact.normal));
             let turn = contact.normal.cross(&force);
             let distance = contact.gap + (radii[i] + radii[j]);
+            self.load_cell(&mut cell, [i, j], &force, &(contact.normal * distance));
             let share = distance / (radii[i] + radii[j]);
             self.loads[i][0] -= force;
             self.loads[i][1] -= turn * (share * radii[i]) + couple;
@@ -275,6 +295,7 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             self.loads[j][1] -= turn * (share * radii[j]) - couple;
             deepest = deepest.max(-contact.gap);
         }
+        self.cell_loads = cell;
         for (contact, load) in walls
             .iter()
             .filter_map(|contact| Some((contact, of(contact)?)))
@@ -293,6 +314,7 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
 
     /// New velocities after half a step, from the loads times a time.
     fn kick(&mut self, time: f64, half: f64) {
+        self.kick_cell(time, half);
         let gravity = self.setup.gravity * half;
         let SoftState {
             spheres,
@@ -368,13 +390,20 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             spheres,
             walls,
             contacts,
+            space,
+            speeds,
             ..
         } = &mut self.state;
-        let (space, radii, [pair, wall]) = (&self.setup.space, &self.setup.radii, &self.laws);
+        let (space, radii, [pair, wall]) = (&*space, &self.setup.radii, &self.laws);
+        let (speeds, cell) = (&*speeds, &self.setup.cell);
         let [pairs, at_walls] = contacts;
         let across = |contact: &mut SoftContact<F::Modes>| {
             let [i, j] = contact.bodies.map(|body| body as usize);
-            let (apart, border) = nearest_image(space, &positions[i], &positions[j]);
+            let between = [&positions[i], &positions[j]];
+            let (apart, border) = match cell {
+                None => (space.displacement(between[0], between[1]), Vector3::zeros()),
+                Some(cell) => cell::image(space, speeds, cell.shear_rate, between),
+            };
             let gap = apart.norm() - (radii[i] + radii[j]);
             if is_apart(gap, pair.cohesion.range()) {
                 let lever = radii[i] * radii[j] / (radii[i] + radii[j]);
@@ -424,17 +453,6 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
 /// Whether nothing acts across a gap.
 fn is_apart(gap: f64, range: f64) -> bool {
     gap >= 0.0 && gap > range
-}
-
-/// Vector from a sphere to the nearest image of another, and the velocity of that image against the other
-/// itself: zero in a cell at rest.
-#[inline]
-fn nearest_image(
-    space: &PeriodicBox,
-    a: &Vector3<f64>,
-    b: &Vector3<f64>,
-) -> (Vector3<f64>, Vector3<f64>) {
-    (space.displacement(a, b), Vector3::zeros())
 }
 
 /// Motion of the second body against the first at their contact; `border` is the velocity of the second's

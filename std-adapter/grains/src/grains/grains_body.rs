@@ -21,6 +21,7 @@ use tribos_base::record::CheckpointError;
 use tribos_base::record::checkpoint::damaged;
 use tribos_base::record::frames::Kind;
 use tribos_contacts::cd::Wall;
+use tribos_contacts::soft::{AxisControl, CellControl};
 
 /// Slow steps after which the grains count as at rest.
 const SLOW_STEPS: u64 = 100;
@@ -43,6 +44,16 @@ pub struct GrainsBody {
 pub struct SlowStepCount(u64);
 
 impl GrainsBody {
+    /// Mass of a piston, and of an axis of the box under a stress.
+    fn piston_mass(&self, start: &InitialSpheres) -> f64 {
+        self.scene.piston_mass.unwrap_or_else(|| {
+            let grains = start.radii.iter().zip(&start.kinds.densities);
+            grains
+                .map(|(radius, density)| density * volume(*radius))
+                .sum()
+        })
+    }
+
     /// The state after a step, for measurements.
     fn now<'a>(&'a self, seen: &'a MeasuredState) -> PackingState<'a> {
         PackingState {
@@ -100,13 +111,8 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
         self.layout.parts.len()
     }
 
-    fn bodies(&self, start: &InitialSpheres, features: &OptionalFeatures) -> Bodies {
-        let mass = self.scene.piston_mass.unwrap_or_else(|| {
-            let grains = start.radii.iter().zip(&features.densities);
-            grains
-                .map(|(radius, density)| density * volume(*radius))
-                .sum()
-        });
+    fn bodies(&self, start: &InitialSpheres, _: &OptionalFeatures) -> Bodies {
+        let mass = self.piston_mass(start);
         let wall = |(wall, part): (usize, &InitialWall)| {
             let mass = if self.loads.is_piston(wall) {
                 mass
@@ -128,7 +134,14 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
     }
 
     fn features(&self, start: &InitialSpheres) -> OptionalFeatures {
+        let axes = self.loads.axes(0.0);
+        let is_driven = axes != [AxisControl::Fixed; 3] || self.scene.shear_rate.is_some();
         OptionalFeatures {
+            cell: is_driven.then(|| CellControl {
+                axes,
+                shear_rate: self.scene.shear_rate.unwrap_or(0.0),
+                mass: self.piston_mass(start),
+            }),
             shear_rate: self.scene.shear_rate.unwrap_or(0.0),
             velocities: self.scene.agitation(start.radii.len()),
             ..OptionalFeatures::default()
@@ -163,7 +176,7 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
     /// Its walls, and the highest grain below an open top. All centres are inside.
     fn extents(&self, seen: &MeasuredState) -> [[f64; 2]; 3] {
         let (scene, layout, packing) = (&self.scene, &self.layout, &seen.packing);
-        let mut corners = layout.extents(packing.walls());
+        let mut corners = layout.extents(&**packing);
         if scene.is_flat() {
             let most = packing.radii().iter().copied().fold(0.0, f64::max);
             corners[1] = [-most, most];
@@ -171,7 +184,7 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
         // Grains that press a wall reach beyond it by their overlap, and the box ends at the wall.
         let is_open = scene.boundary_z == EndBoundary::Floor && scene.container != Container::Drum;
         for (x, radius) in packing.positions().iter().zip(packing.radii()) {
-            let x = layout.space.wrap(x);
+            let x = packing.space().wrap(x);
             for (axis, [low, high]) in corners.iter_mut().enumerate() {
                 if layout.space.lengths()[axis].is_none() {
                     let above = if is_open && axis == 2 { *radius } else { 0.0 };

@@ -3,7 +3,7 @@
 use super::container;
 use super::wall::{AxisEnd, InitialWall, WallId, inward};
 use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene, SideBoundary};
-use crate::packing::InitialSpheres;
+use crate::packing::{InitialSpheres, Packing};
 use tribos_base::space::{PeriodicBox, SpaceError};
 use tribos_contacts::cd::Wall;
 
@@ -81,14 +81,13 @@ impl Layout {
     }
 
     /// Low and high coordinates of the box; an open end is that of the start.
-    pub fn extents(&self, walls: &[Wall]) -> [[f64; 2]; 3] {
+    pub fn extents(&self, packing: &dyn Packing) -> [[f64; 2]; 3] {
+        let (walls, periods) = (packing.walls(), packing.space().lengths());
         [Axis::X, Axis::Y, Axis::Z].map(|axis| {
+            let length = periods[axis.index()].unwrap_or(self.lengths[axis.index()]);
             let low = self.coordinate(walls, axis, AxisEnd::Low);
             let high = self.coordinate(walls, axis, AxisEnd::High);
-            [
-                low.unwrap_or(0.0),
-                high.unwrap_or(self.lengths[axis.index()]),
-            ]
+            [low.unwrap_or(0.0), high.unwrap_or(length)]
         })
     }
 

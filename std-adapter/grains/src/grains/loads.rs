@@ -8,6 +8,7 @@ use crate::packing::Packing;
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 use tribos_contacts::cd::Rectangle;
+use tribos_contacts::soft::AxisControl;
 
 /// How a wall is driven along its normal.
 #[derive(Clone, Debug)]
@@ -40,6 +41,16 @@ pub(super) struct Loads {
     opening: f64,
     shake: Shake,
     repeat: Option<f64>,
+    /// What the lengths of periodic axes follow.
+    axes: [AxisLoad; 3],
+}
+
+/// What the length of a periodic axis follows.
+#[derive(Clone, Debug)]
+enum AxisLoad {
+    Fixed,
+    Stress(Ramp),
+    Speed(Ramp),
 }
 
 /// A harmonic motion of the box.
@@ -81,6 +92,16 @@ impl Loads {
                 axis: scene.shake_axis,
             },
             repeat: scene.ramp_period,
+            axes: [Axis::X, Axis::Y, Axis::Z].map(|axis| {
+                if layout.space.lengths()[axis.index()].is_none() {
+                    return AxisLoad::Fixed;
+                }
+                match (scene.pressure(axis), scene.velocity(axis)) {
+                    (Some(stress), _) => AxisLoad::Stress(stress.clone()),
+                    (None, Some(speed)) => AxisLoad::Speed(speed.clone()),
+                    (None, None) => AxisLoad::Fixed,
+                }
+            }),
         }
     }
 
@@ -103,6 +124,15 @@ impl Loads {
         }
     }
 
+    /// What the lengths of periodic axes follow at a time.
+    pub fn axes(&self, time: f64) -> [AxisControl; 3] {
+        self.axes.each_ref().map(|load| match load {
+            AxisLoad::Fixed => AxisControl::Fixed,
+            AxisLoad::Stress(stress) => AxisControl::Stress(self.follow(stress, time)[0]),
+            AxisLoad::Speed(speed) => AxisControl::Speed(self.follow(speed, time)[0]),
+        })
+    }
+
     /// Acceleration of the grains at a time.
     pub fn gravity(&self, time: f64) -> Vector3<f64> {
         let [strength, _] = self.follow(&self.gravity, time);
@@ -120,8 +150,9 @@ impl Loads {
     /// put where their motion has taken them by then.
     pub fn apply(&self, layout: &Layout, packing: &mut dyn Packing) {
         let (time, _) = packing.clock();
-        let extents = layout.extents(packing.walls());
+        let extents = layout.extents(packing);
         packing.set_gravity(self.gravity(time));
+        packing.set_axes(self.axes(time));
         let (shift, swing) = self.shake.at(time);
         let walls = packing.walls_mut().iter_mut();
         for (wall, (face, control, start)) in walls.zip(&self.walls) {

@@ -107,7 +107,7 @@ impl PackingState<'_> {
     /// Low and high coordinates of the volume that the grains fill. Below an open top it ends at twice the
     /// mean height of the centres, weighted with mass: the surface of a level bed.
     pub fn extents(&self) -> [[f64; 2]; 3] {
-        let mut extents = self.layout.extents(self.packing.walls());
+        let mut extents = self.layout.extents(self.packing);
         if self.scene.boundary_z == EndBoundary::Floor && self.scene.container != Container::Drum {
             let low = extents[2][0];
             let (mut sum, mut mass) = (0.0, 0.0);
@@ -275,7 +275,7 @@ impl PackingState<'_> {
         let length = self.scene.width / strips;
         let mut tops = vec![None; strips as usize];
         for (x, radius) in self.packing.positions().iter().zip(self.packing.radii()) {
-            let place = self.layout.space.wrap(x);
+            let place = self.packing.space().wrap(x);
             if place.z < above {
                 continue;
             }

@@ -157,20 +157,20 @@ scene! {
     gravity: Ramp = Ramp::from(9.81), "m/s^2", RAMP_NOT_NEGATIVE;
     /// Angle by which gravity leans from -z towards x.
     gravity_angle: Ramp = Ramp::from(0.0), "degree", RAMP;
-    /// Stress on the wall at the far end of x, which moves as a piston.
-    wall_stress_x was pressure_x: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("boundary_x", "walls");
-    /// Stress on the wall at the far end of y, which moves as a piston.
-    wall_stress_y was pressure_y: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("boundary_y", "walls");
-    /// Stress on the plate above, which moves as a piston without weight.
-    wall_stress_z was pressure_z: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("boundary_z", "walls");
-    /// Mass of every piston; that of all grains together if it is left out.
+    /// Stress on the wall at the far end of x, which moves as a piston; where x is periodic and `method` is soft, on the box.
+    wall_stress_x was pressure_x: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE;
+    /// Stress on the wall at the far end of y, which moves as a piston; where y is periodic and `method` is soft, on the box.
+    wall_stress_y was pressure_y: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE;
+    /// Stress on the plate above, which moves as a piston without weight; where z is periodic and `method` is soft, on the box.
+    wall_stress_z was pressure_z: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE;
+    /// Mass of every piston, and of each axis of a box under a stress; that of all grains together if it is left out.
     piston_mass: Option<f64> = None, "kg", Positive;
-    /// Speed of the wall at the far end of x along x; negative compresses.
-    wall_velocity_x was velocity_x: Option<Ramp> = None, "m/s", RAMP, OnlyWith("boundary_x", "walls");
-    /// Speed of the wall at the far end of y along y; negative compresses.
-    wall_velocity_y was velocity_y: Option<Ramp> = None, "m/s", RAMP, OnlyWith("boundary_y", "walls");
-    /// Speed of the plate above along z; negative compresses.
-    wall_velocity_z was velocity_z: Option<Ramp> = None, "m/s", RAMP, OnlyWith("boundary_z", "walls");
+    /// Speed of the wall at the far end of x along x, or at which the period along x grows (soft grains); negative compresses.
+    wall_velocity_x was velocity_x: Option<Ramp> = None, "m/s", RAMP;
+    /// Speed of the wall at the far end of y along y, or at which the period along y grows (soft grains); negative compresses.
+    wall_velocity_y was velocity_y: Option<Ramp> = None, "m/s", RAMP;
+    /// Speed of the plate above along z, or at which the period along z grows (soft grains); negative compresses.
+    wall_velocity_z was velocity_z: Option<Ramp> = None, "m/s", RAMP;
     /// Speed of the plate above along x, which shears the grains.
     lid_speed_x was plate_speed: Ramp = Ramp::from(0.0), "m/s", RAMP, OnlyWith("boundary_z", "walls");
     /// Rate at which a box without walls along x and z is sheared: speed along x over height along z.
@@ -278,11 +278,6 @@ fn rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
             scene.attraction,
             [scene.restitution, scene.second_fraction],
         );
-        if scene.shear_rate.is_some() {
-            let message =
-                "`shear_rate` needs method = \"contact-dynamics\"; springs know no sheared images";
-            judge.refuse(&["shear_rate", "method"], message);
-        }
     }
     if scene.container != Container::Box
         && (scene.boundary_z != EndBoundary::Floor || scene.shake_amplitude > 0.0)
@@ -308,6 +303,14 @@ fn rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
         if pressure.is_some() && velocity.is_some() {
             let message = format!("give `{}` or `{}`, not both", keys[0], keys[1]);
             judge.refuse(keys, message);
+        }
+        let given = match (pressure, velocity) {
+            (Some(_), _) => keys[0],
+            (None, Some(_)) => keys[1],
+            (None, None) => continue,
+        };
+        if let Some(reason) = scene.no_control(axis) {
+            judge.refuse(&[given], format!("`{given}` {reason}"));
         }
     }
 }
@@ -375,6 +378,26 @@ impl GrainsScene {
             2.0 * self.radius
         } else {
             self.depth.unwrap_or(self.width)
+        }
+    }
+
+    /// Why nothing moves along an axis that a stress or a speed could drive.
+    fn no_control(&self, axis: Axis) -> Option<&'static str> {
+        let is_periodic = match axis {
+            Axis::X => self.boundary_x == SideBoundary::Periodic,
+            Axis::Y => self.boundary_y == SideBoundary::Periodic,
+            Axis::Z => self.boundary_z == EndBoundary::Periodic,
+        };
+        if self.container == Container::Drum || (axis == Axis::Y && self.is_flat()) {
+            Some("has no wall and no period to move: a drum and a plane have none")
+        } else if axis == Axis::Z && self.boundary_z == EndBoundary::Floor {
+            Some("needs boundary_z = \"walls\" or \"periodic\"; above a floor the box is open")
+        } else if is_periodic && self.method != ContactMethod::Soft {
+            Some(
+                "moves a wall; a periodic box that deforms needs method = \"soft\", a wall the boundary \"walls\"",
+            )
+        } else {
+            None
         }
     }
 

@@ -188,6 +188,7 @@ impl WorldSnapshot {
             shear_offset: assembly.space.offset(),
             awake: vec![true; count],
             still: vec![0; count],
+            cell: None,
             origin: None,
         }
     }

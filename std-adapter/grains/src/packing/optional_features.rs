@@ -3,12 +3,15 @@
 use super::Material;
 use nalgebra::Vector3;
 use tribos_base::random::Random;
+use tribos_contacts::soft::CellControl;
 
 /// A shear and a second material, of which most bodies have neither.
 #[derive(Clone, Debug, Default)]
 pub struct OptionalFeatures {
     /// Rate of a simple shear, velocity along x over height along z.
     pub shear_rate: f64,
+    /// How the periodic box is deformed, of soft spheres.
+    pub cell: Option<CellControl>,
     pub second: Option<SecondMaterial>,
     /// Densities of the spheres; those of the material if there are none.
     pub densities: Vec<f64>,

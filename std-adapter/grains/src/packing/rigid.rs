@@ -140,15 +140,11 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
             step_limits,
             still_speed,
         } => (solver, step_limits, still_speed),
-        // Springs know neither a shear nor several materials.
-        Method::Soft(_) if extras.shear_rate != 0.0 => {
-            let rate = extras.shear_rate;
-            return Err(WorldError::Shear { rate }.into());
-        }
+        // Springs know no mixtures.
         Method::Soft(_) if mixture.is_some() => return Err(WorldError::Mixture.into()),
         Method::Soft(springs) => {
             let density = |sphere: usize| extras.density(material, sphere);
-            return soft::boxed(density, bodies, &springs, frozen, first);
+            return soft::boxed(density, (bodies, extras), &springs, frozen, first);
         }
     };
     let density = |sphere: usize| extras.density(material, sphere);
@@ -345,6 +341,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
             awake: state.sleep.awake().to_vec(),
             still: state.sleep.slow_steps().to_vec(),
             origin: None,
+            cell: None,
         }
     }
 }

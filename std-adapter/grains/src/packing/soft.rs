@@ -1,6 +1,8 @@
 //! A world of soft spheres with its contact modes hidden behind the trait of packings.
 
-use super::{Bodies, Force, Forces, Packing, PackingRunError, Springs, WorldSnapshot};
+use super::{
+    Bodies, Force, Forces, OptionalFeatures, Packing, PackingRunError, Springs, WorldSnapshot,
+};
 use nalgebra::Vector3;
 use std::fmt::Debug;
 use tribos_base::record::{ContactRow, Partner};
@@ -9,7 +11,7 @@ use tribos_contacts::cd::{
     EnergyBalance, StepLimits, StepReport, Wall, WorldError, WorldMaterials, solid,
 };
 use tribos_contacts::problem::GlobalProblem;
-use tribos_contacts::soft::{SoftContact, SoftSetup, SoftState, SoftWorld};
+use tribos_contacts::soft::{AxisControl, SoftContact, SoftSetup, SoftState, SoftWorld};
 use tribos_core::contact::{
     ContactError, ContactFriction, ContactGeometry, ContactModes, ContactVector, SphereBody,
 };
@@ -26,14 +28,14 @@ struct SoftPacking<F: ContactFriction<f64>> {
 /// A packing with these contact modes.
 pub(super) fn boxed<F: ContactFriction<f64> + Debug + 'static>(
     density: impl Fn(usize) -> f64,
-    bodies: Bodies,
+    (bodies, extras): (Bodies, &OptionalFeatures),
     springs: &Springs,
     frozen: Option<&WorldSnapshot>,
     laws: WorldMaterials<F>,
 ) -> Result<Box<dyn Packing>, PackingRunError> {
     let limits = springs.step_limits;
     let spheres = bodies.radii.iter().enumerate();
-    let setup = SoftSetup {
+    let mut setup = SoftSetup {
         spheres: spheres.map(|(i, &r)| solid(r, density(i))).collect(),
         space: bodies.space,
         positions: bodies.positions,
@@ -43,8 +45,12 @@ pub(super) fn boxed<F: ContactFriction<f64> + Debug + 'static>(
         damping: springs.damping,
         longest: limits.longest,
         steps_per_collision: springs.steps_per_collision,
+        cell: extras.cell,
         ..SoftSetup::new(laws, springs.stiffness)
     };
+    for (sphere, velocity) in setup.spheres.iter_mut().zip(&extras.velocities) {
+        sphere.velocity += velocity;
+    }
     let mut world = SoftWorld::new(setup)?;
     if let Some(frozen) = frozen {
         thaw(frozen, &mut world)?;
@@ -71,6 +77,15 @@ fn thaw<F: ContactFriction<f64>>(
     }
     for (wall, (place, velocity)) in state.walls.iter_mut().zip(&frozen.walls) {
         (wall.place, wall.plate.velocity) = (*place, *velocity);
+    }
+    if let Some([lengths, speeds]) = frozen.cell {
+        let lengths =
+            [0, 1, 2].map(|axis: usize| Some(lengths[axis]).filter(|length| *length > 0.0));
+        let step = frozen.steps;
+        let space = PeriodicBox::new(lengths);
+        let space = space.map_err(|cause| WorldError::Neighbours { step, cause })?;
+        state.space = space.sheared(frozen.shear_offset);
+        state.speeds = speeds;
     }
     state.energy = frozen.energy;
     state.energy.before_first(state.spheres.iter());
@@ -155,6 +170,10 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
         self.world.set_gravity(gravity);
     }
 
+    fn set_axes(&mut self, axes: [AxisControl; 3]) {
+        self.world.set_axes(axes);
+    }
+
     fn energy(&self) -> &EnergyBalance {
         &self.world.state().energy
     }
@@ -187,7 +206,7 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
     }
 
     fn space(&self) -> PeriodicBox {
-        self.world.setup().space
+        self.world.state().space
     }
 
     fn snapshot(&self) -> WorldSnapshot {
@@ -203,7 +222,7 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
                 .iter()
                 .map(|wall| (wall.place, wall.plate.velocity))
                 .collect(),
-            shear_offset: 0.0,
+            shear_offset: state.space.offset(),
             energy: state.energy,
             forces: stored(state, |contact| contact.force),
             // A soft contact has no impacts; its springs take their place.
@@ -211,6 +230,12 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
             awake: vec![true; bodies],
             still: vec![0; bodies],
             origin: state.origin,
+            cell: self.world.setup().cell.map(|_| {
+                [
+                    state.space.lengths().map(|length| length.unwrap_or(0.0)),
+                    state.speeds,
+                ]
+            }),
         }
     }
 }
