@@ -20,6 +20,7 @@ mod model;
 mod modes;
 mod mujoco;
 mod particles;
+mod packing;
 mod patch;
 mod planar;
 mod push;
@@ -68,6 +69,8 @@ mod _native {
     use modes::PowerLawProfile;
     #[pymodule_export]
     use mujoco::MujocoFeet;
+    #[pymodule_export]
+    use packing::PackingFile;
     #[pymodule_export]
     use particles::World;
     #[pymodule_export]

@@ -34,6 +34,7 @@ from tribos._loaded import LoadedFriction
 from tribos._log import Look, look
 from tribos._manifold import ContactForce, Manifold, SolverReport
 from tribos._modes import FixedPoint, Modes, modes
+from tribos._packing import Packing, read_packing
 from tribos._patches import *  # noqa: F403 - every patch
 from tribos._planar import PlanarBody, Rollout
 from tribos._push import (
@@ -92,6 +93,7 @@ __all__ = [
     "Modes",
     "Motion",
     "MotionCone",
+    "Packing",
     "PlanarBody",
     "PlanarStepBy",
     "PlanarStepJacobian",
@@ -133,6 +135,7 @@ __all__ = [
     "planar_step_jacobian",
     "push",
     "push_along",
+    "read_packing",
     "resume",
     "run",
     "run_case",

@@ -527,6 +527,18 @@ class System:
     def state(self) -> tuple[Any, ...]: ...
 
 @final
+class PackingFile:
+    def __new__(
+        cls,
+        path: str,
+        columns: str | None,
+        periods: tuple[float | None, ...] | None,
+    ) -> PackingFile: ...
+    def arrays(self) -> dict[str, Any]: ...
+    def about(self) -> list[tuple[str, str]]: ...
+    def write(self, path: str) -> list[str]: ...
+
+@final
 class World:
     def __new__(
         cls,

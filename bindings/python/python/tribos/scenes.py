@@ -619,9 +619,14 @@ class PowderScene(Scene):
     count
         Number of spheres, in place of `height`. *Value*: a whole number from 1 to 1000000.
     initial_state
-        Spheres to start from in place of a deposit: a file (extended XYZ, LAMMPS data or dump,
-        VTP), or the folder of a run, whose last state goes on. *Value*: the path of a file or a
-        folder.
+        Spheres to start from in place of a deposit: a file (XYZ, a table, LAMMPS, VTK, MercuryDPM
+        and others; see `tribos packing`), or the folder of a run, whose last state goes on.
+        *Value*: the path of a file or a folder.
+    columns
+        Columns of a table that `initial_state` names, or arrays of a file of VTK, where the file
+        does not say them: names in their order, `-` for one that is not read, `NAME=COLUMN` or
+        `NAME=all:VALUE`. *Value*: columns such as "x,y,z,radius", "-,x,y,z,radius=all:0.5" or
+        "radius=R [mm]".
     capture_radius
         Distance of centres at which a falling sphere is captured, at least the largest diameter.
         *Unit*: R. *Value*: a finite number > 0.
@@ -732,6 +737,7 @@ class PowderScene(Scene):
     height: float | None = 61.5
     count: int | None = None
     initial_state: str | None = None
+    columns: str | None = None
     capture_radius: float = 3.0
     radius_spread: float = 0.0
     size_distribution: str | None = None
@@ -815,9 +821,14 @@ class GrainsScene(Scene):
         Number of grains, unless `initial_state` has them. *Value*: a whole number from 1 to
         1000000.
     initial_state
-        Grains to start from in place of random ones: a file (extended XYZ, LAMMPS data or dump,
-        VTP), or the folder of a run, whose last state goes on. *Value*: the path of a file or a
-        folder.
+        Grains to start from in place of random ones: a file (XYZ, a table, LAMMPS, VTK, MercuryDPM
+        and others; see `tribos packing`), or the folder of a run, whose last state goes on.
+        *Value*: the path of a file or a folder.
+    columns
+        Columns of a table that `initial_state` names, or arrays of a file of VTK, where the file
+        does not say them: names in their order, `-` for one that is not read, `NAME=COLUMN` or
+        `NAME=all:VALUE`. *Value*: columns such as "x,y,z,radius", "-,x,y,z,radius=all:0.5" or
+        "radius=R [mm]".
     radius
         Mean radius of the grains. *Unit*: m. *Value*: a finite number > 0.
     radius_spread
@@ -971,6 +982,7 @@ class GrainsScene(Scene):
     drum_angular_velocity: float | str = 1.0
     count: int | None = 100
     initial_state: str | None = None
+    columns: str | None = None
     radius: float = 0.005
     radius_spread: float = 0.0
     size_distribution: str | None = None

@@ -3,6 +3,7 @@
 mod report;
 
 use super::number;
+use super::packing::ColumnsOption;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -15,9 +16,8 @@ use tribos_report::runs::measure as figures;
 /// Measure a packing of spheres: porosity and its profile, stress, fabric, pair correlation, distribution of
 /// the normal forces, contacts and rattlers, force chains, levers of the contact torques.
 ///
-/// Reads the last state of a run, or a file: extended XYZ with a column radius, LAMMPS data (atom_style
-/// sphere) or dump with radius or diameter, VTK PolyData (.vtp). A file of another program has no forces:
-/// its contacts are those of the geometry.
+/// Reads the last state of a run, or a file of any format that `tribos packing` reads. A file of another program
+/// has no forces: its contacts are those of the geometry.
 ///
 /// With --out it writes measures.json, a table (.csv) and a figure (.svg and .png) of each measure. Lengths,
 /// forces and stresses are in the units of the packing; those of a powder are R, F_coh and F_coh/R^2.
@@ -27,6 +27,8 @@ pub struct Arguments {
     /// The folder of a run, or a file of spheres.
     #[arg(value_name = "RUN|FILE")]
     source: PathBuf,
+    #[command(flatten)]
+    columns: ColumnsOption,
     /// Folder for the results, created if missing. Results of an earlier command in it are removed first;
     /// files that tribos did not write are never replaced. The folder of a run is refused.
     #[arg(long, value_name = "DIR")]
@@ -83,7 +85,7 @@ enum Format {
 
 /// Periods of the axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Periods([Option<f64>; 3]);
+pub struct Periods(pub [Option<f64>; 3]);
 
 const EXAMPLES: &str = "\
 Examples:
@@ -127,7 +129,7 @@ fn angle(text: &str) -> Result<f64, String> {
 }
 
 /// Three lengths, each a number > 0 or `-`.
-fn periods(text: &str) -> Result<Periods, String> {
+pub fn periods(text: &str) -> Result<Periods, String> {
     let parts: Vec<&str> = text.split(',').map(str::trim).collect();
     let &[x, y, z] = parts.as_slice() else {
         return Err("give three periods, such as 20,20,-".into());
@@ -143,7 +145,10 @@ impl Arguments {
     /// Measures, writes and prints.
     pub fn execute(self) -> Result<(), Failure> {
         let options = self.options();
-        let state = self.periodic(Assembly::read(&self.source)?)?;
+        let state = self.periodic(Assembly::read_as(
+            &self.source,
+            self.columns.columns.as_ref(),
+        )?)?;
         if state.radii.is_empty() {
             return Err(Failure::input(format!(
                 "{}: there is no sphere",
@@ -229,7 +234,7 @@ impl Arguments {
             return Ok(None);
         }
         let mut states = Vec::new();
-        for (step, state) in Assembly::read_all(&self.source)? {
+        for (step, state) in Assembly::read_all_as(&self.source, self.columns.columns.as_ref())? {
             states.push((step, self.periodic(state)?));
         }
         let (count, mut done, mut last) = (states.len(), 0, Instant::now());

@@ -35,7 +35,11 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<InitialSpheres, PackingRunEr
     let y = (scene.boundary_y == SideBoundary::Periodic && !flat).then_some((depth, "depth"));
     let z = (scene.boundary_z == EndBoundary::Periodic)
         .then(|| (scene.height.unwrap_or(0.0), "height"));
-    let mut assembly = given(path, [x, y, z], (scene.radius, scene.method))?;
+    let mut assembly = given(
+        (path, scene.columns.as_ref()),
+        [x, y, z],
+        (scene.radius, scene.method),
+    )?;
     if scene.method == ContactMethod::Soft && assembly.space.offset() != 0.0 {
         return Err(AssemblyError::Content {
             file: path.display().to_string(),

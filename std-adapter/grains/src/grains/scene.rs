@@ -2,7 +2,9 @@
 
 use super::ramp::{RAMP, RAMP_NOT_NEGATIVE, Ramp};
 use crate::packing::method::{ContactMethod, FrictionCoupling, NormalForce, WallLaw, soft_rules};
-use crate::packing::{Radii, SIZES, SettingError, SizeDistribution};
+use crate::packing::{
+    COLUMNS, COLUMNS_ALONE, PackingColumns, Radii, SIZES, SettingError, SizeDistribution,
+};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use tribos_base::record::brief;
@@ -109,8 +111,11 @@ scene! {
     drum_angular_velocity was drum_rate: Ramp = Ramp::from(1.0), "rad/s", RAMP, OnlyWith("container", "drum");
     /// Number of grains, unless `initial_state` has them.
     count: usize = 100, "-", Count { from: 1.0, up_to: 1e6 }, UnlessGiven("initial_state");
-    /// Grains to start from in place of random ones: a file (extended XYZ, LAMMPS data or dump, VTP), or the folder of a run, whose last state goes on.
+    /// Grains to start from in place of random ones: a file (XYZ, a table, LAMMPS, VTK, MercuryDPM and others; see `tribos packing`), or the folder of a run, whose last state goes on.
     initial_state was start: Option<PathBuf> = None, "-", Path;
+    /// Columns of a table that `initial_state` names, or arrays of a file of VTK, where the file does not say them: names in their
+    /// order, `-` for one that is not read, `NAME=COLUMN` or `NAME=all:VALUE`.
+    columns: Option<PackingColumns> = None, "-", COLUMNS;
     /// Mean radius of the grains.
     radius: f64 = 0.005, "m", Positive, Required;
     /// Spread of the radii, in mean radii: they are uniform from 1 - spread to 1 + spread.
@@ -248,6 +253,9 @@ fn rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
         let message =
             "`initial_state` has its own radii; leave out `size_distribution` and `radius_spread`";
         judge.refuse(&["initial_state"], message);
+    }
+    if scene.columns.is_some() && scene.initial_state.is_none() {
+        judge.refuse(&["columns"], COLUMNS_ALONE);
     }
     if scene.boundary_z == EndBoundary::Periodic && scene.height.is_none() {
         let message = "`height` is the period where boundary_z = \"periodic\"; give it";

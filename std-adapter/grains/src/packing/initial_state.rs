@@ -2,7 +2,7 @@
 
 use super::{Forces, Kinds, WorldSnapshot};
 use crate::packing::method::ContactMethod;
-use crate::packing::{Assembly, AssemblyError};
+use crate::packing::{Assembly, AssemblyError, PackingColumns};
 use nalgebra::Vector3;
 use std::path::Path;
 use tribos_base::record::ContactRow;
@@ -15,7 +15,7 @@ const DEEPEST: f64 = 0.05;
 /// The same of soft spheres: a spring bears any overlap, until the centre of the smaller sphere enters the larger.
 const DEEPEST_SOFT: f64 = 1.0;
 /// Largest relative difference of a period from the scene's.
-const SAME_PERIOD: f64 = 1e-9;
+pub(crate) const SAME_PERIOD: f64 = 1e-9;
 /// Range of the mean radius of a file, over that of the scene.
 const MEAN_RADII: [f64; 2] = [0.5, 2.0];
 
@@ -41,7 +41,7 @@ pub(crate) fn deepest(method: ContactMethod) -> f64 {
 /// Spheres with the periods of a scene; `periods` has the lengths of its periodic axes with their keys, and
 /// `radius` is the mean radius that it expects.
 pub(crate) fn given(
-    path: &Path,
+    (path, columns): (&Path, Option<&PackingColumns>),
     periods: [Option<(f64, &'static str)>; 3],
     (radius, method): (f64, ContactMethod),
 ) -> Result<Assembly, AssemblyError> {
@@ -50,7 +50,7 @@ pub(crate) fn given(
         file: file.clone(),
         reason,
     };
-    let mut assembly = Assembly::read(path)?;
+    let mut assembly = Assembly::read_as(path, columns)?;
     if assembly.radii.is_empty() {
         return Err(refused("there is no sphere; give one or more".into()));
     }
@@ -68,6 +68,7 @@ pub(crate) fn given(
             }
             Some(period) => lengths[axis] = Some(period),
             None => {
+                assembly.begin_at_zero(axis, Some(length));
                 check_within(&file, &assembly, axis, length)?;
                 lengths[axis] = Some(length);
             }
@@ -84,7 +85,7 @@ pub(crate) fn given(
         )));
     }
     if assembly.frozen.is_none() {
-        check_spheres(&file, &assembly, radius, deepest(method))?;
+        check_spheres(&file, &assembly, radius, method)?;
     }
     Ok(assembly)
 }
@@ -114,7 +115,7 @@ fn check_spheres(
     file: &str,
     assembly: &Assembly,
     radius: f64,
-    most: f64,
+    method: ContactMethod,
 ) -> Result<(), AssemblyError> {
     let refused = |reason: String| AssemblyError::Content {
         file: file.into(),
@@ -132,11 +133,17 @@ fn check_spheres(
         file: file.into(),
         cause,
     })?;
+    let most = self::deepest(method);
     match deepest {
         Some((depth, [a, b])) if depth > most => Err(refused(format!(
-            "spheres {a} and {b} (from 0) overlap by {:.3} % of the smaller radius; at most {} % is taken",
+            "spheres {a} and {b} (from 0) overlap by {:.3} % of the smaller radius; at most {} % is taken{}",
             100.0 * depth,
-            100.0 * most
+            100.0 * most,
+            match method {
+                ContactMethod::Soft => "",
+                ContactMethod::ContactDynamics =>
+                    ": set method = \"soft\", or let them part with it first and start from the folder of that run",
+            }
         ))),
         _ => Ok(()),
     }
