@@ -44,6 +44,14 @@ impl Kinds {
             all.iter().map(|&material| material == SECOND).collect()
         });
         let mut kinds = Self::of(&is_second, first, other);
+        // Higher numbers stay what they are.
+        let numbers = kinds
+            .materials
+            .iter_mut()
+            .zip(of_file.into_iter().flatten());
+        for (mine, given) in numbers.filter(|(_, given)| **given > SECOND) {
+            *mine = *given;
+        }
         if let Some(densities) = &assembly.densities {
             let is_chosen = of_file.is_none() && other.density.is_some();
             for ((mine, given), is_second) in
