@@ -31,6 +31,7 @@ mod balance;
 mod contact;
 mod kick;
 mod law;
+mod mesh;
 mod neighbours;
 mod setup;
 mod step_length;

@@ -2,7 +2,7 @@
 
 use super::law::Law;
 use super::law::Stiffness;
-use crate::cd::{self, StepLimits, Wall, WorldError, WorldMaterials};
+use crate::cd::{self, MovingMesh, StepLimits, Wall, WorldError, WorldMaterials};
 use nalgebra::Vector3;
 use tribos_base::space::PeriodicBox;
 use tribos_core::contact::{Attraction, SphereBody};
@@ -18,10 +18,13 @@ pub struct SoftSetup<F> {
     pub positions: Vec<Vector3<f64>>,
     /// Radii of the spheres.
     pub radii: Vec<f64>,
-    /// Velocities, inverse masses and inertias of the spheres; see [`solid`](crate::cd::solid).
+    /// Velocities, inverse masses and inertias of the spheres; see [`solid`](crate::cd::solid). A sphere whose inverses
+    /// are both 0 keeps its motion.
     pub spheres: Vec<SphereBody<f64>>,
     /// Walls and pistons.
     pub walls: Vec<Wall>,
+    /// A wall of triangles. Its contacts are numbered after those of the other walls.
+    pub mesh: Option<MovingMesh>,
     /// Cohesion and friction. A restitution above 0 stands for the [`Stiffness::damping_ratio_of`] ratio that leads to it.
     pub laws: WorldMaterials<F>,
     /// Normal spring of every contact.
@@ -52,6 +55,7 @@ impl<F> SoftSetup<F> {
             radii: Vec::new(),
             spheres: Vec::new(),
             walls: Vec::new(),
+            mesh: None,
             laws,
             stiffness,
             damping: 1.0,
@@ -112,6 +116,7 @@ impl<F: Copy> SoftSetup<F> {
             radii: self.radii.clone(),
             spheres: self.spheres.clone(),
             walls: self.walls.clone(),
+            mesh: self.mesh.clone(),
             gravity: self.gravity,
             step_limits: StepLimits {
                 longest: self.longest,

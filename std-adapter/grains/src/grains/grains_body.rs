@@ -5,6 +5,7 @@ use super::initial_grains::start;
 use super::layout::Layout;
 use super::loads::Loads;
 use super::measure::{COLUMNS, PackingState};
+use super::mesh;
 use super::outcome::GrainsSummary;
 use super::wall::InitialWall;
 use crate::grains::scene::{Container, EndBoundary, GrainsScene};
@@ -14,13 +15,14 @@ use crate::packing::{
     OptionalFeatures, Packing, PackingBody, PackingEnergy, PackingRun, PackingStopReason,
     RunLimits,
 };
+use nalgebra::Vector3;
 use serde_json::{Map, Value};
 use std::ops::ControlFlow;
 use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::CheckpointError;
 use tribos_base::record::checkpoint::damaged;
 use tribos_base::record::frames::Kind;
-use tribos_contacts::cd::Wall;
+use tribos_contacts::cd::{MovingMesh, Wall};
 
 /// Slow steps after which the grains count as at rest.
 const SLOW_STEPS: u64 = 100;
@@ -36,6 +38,7 @@ pub struct GrainsBody {
     scene: GrainsScene,
     layout: Layout,
     loads: Loads,
+    mesh: Option<MovingMesh>,
 }
 
 /// Number of steps for which the grains have been slow.
@@ -52,6 +55,7 @@ impl GrainsBody {
             packing: &*seen.packing,
             contacts: &seen.contacts,
             report: &seen.report,
+            mesh: self.mesh.as_ref(),
         }
     }
 }
@@ -61,6 +65,8 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
     type Monitor = SlowStepCount;
 
     const COLUMNS: [&'static str; COLUMNS.len()] = COLUMNS;
+    // Without forces and torques on driven grains and the mesh.
+    const FORMER_COLUMNS: usize = COLUMNS.len() - 12;
     const FORMAT: (&'static str, u64) = ("tribos_grains", 3);
     const KIND: Kind = Kind::Grains;
     const CADENCE: MeasurementSchedule = MeasurementSchedule::Lines;
@@ -70,12 +76,14 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
         scene: &GrainsScene,
         watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
     ) -> Result<(Self, InitialSpheres), PackingRunError> {
-        let start = start(scene, watch)?;
+        let mesh = mesh::of(scene)?;
+        let start = start((scene, mesh.as_ref()), watch)?;
         let layout = Layout::of(scene, &start)?;
         let body = Self {
             scene: scene.clone(),
-            loads: Loads::of(scene, &layout),
+            loads: Loads::of(scene, &layout, &start),
             layout,
+            mesh,
         };
         Ok((body, start))
     }
@@ -100,11 +108,18 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
         self.layout.parts.len()
     }
 
+    fn corners(&self) -> Vec<Vector3<f64>> {
+        let corners = self.mesh.iter().flat_map(|mesh| mesh.mesh.corners());
+        corners.flatten().copied().collect()
+    }
+
     fn bodies(&self, start: &InitialSpheres, features: &OptionalFeatures) -> Bodies {
         let mass = self.scene.piston_mass.unwrap_or_else(|| {
             let grains = start.radii.iter().zip(&features.densities);
-            grains
-                .map(|(radius, density)| density * volume(*radius))
+            let free = grains
+                .enumerate()
+                .filter(|(i, _)| features.bound.binary_search(i).is_err());
+            free.map(|(_, (radius, density))| density * volume(*radius))
                 .sum()
         });
         let wall = |(wall, part): (usize, &InitialWall)| {
@@ -131,6 +146,8 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
         OptionalFeatures {
             shear_rate: self.scene.shear_rate.unwrap_or(0.0),
             velocities: self.scene.agitation(start.radii.len()),
+            bound: self.loads.bound().iter().map(|held| held.grain).collect(),
+            mesh: self.mesh.clone(),
             ..OptionalFeatures::default()
         }
     }
@@ -206,14 +223,13 @@ impl GrainsSimulation {
     /// Summary of the run so far.
     pub fn outcome(&self) -> GrainsSummary {
         let now = self.body.now(&self.seen);
-        let spheres = now.packing.spheres().iter();
         let totals = self.totals();
         let has_surface = now.scene.boundary_z == EndBoundary::Floor;
         let energy = now.packing.energy();
         GrainsSummary {
             ending: self.ending(),
-            grains: now.packing.radii().len(),
-            mass: spheres.map(|grain| 1.0 / grain.inv_mass).sum(),
+            grains: now.free().count(),
+            mass: now.free().map(|(_, _, grain)| 1.0 / grain.inv_mass).sum(),
             time: self.time(),
             steps: self.steps(),
             iterations_total: totals.iterations,

@@ -13,9 +13,9 @@ summary! {
 
     /// Why the run ended; none if it has not.
     ending: Option<PackingStopReason>, "-";
-    /// Number of grains.
+    /// Number of grains that move freely.
     grains: usize, "-";
-    /// Mass of all grains.
+    /// Mass of these grains.
     mass: f64, "kg";
     /// Time at the end.
     time: f64, "s", Swept;
