@@ -349,7 +349,7 @@ fn a_sweep_of_grains_has_means_over_time_and_draws_what_is_asked_for() -> Outcom
         Ok(rows[row][at].parse()?)
     };
     for (row, keys) in [(0, "shear_rate=5,mu=0.1"), (3, "shear_rate=10,mu=0.5")] {
-        let run = out.join("runs").join(keys);
+        let run = out.join("runs").join(format!("duration=0.05,{keys}"));
         let averages = &summary(&run)?["averages"];
         for column in ["stress_ratio", "stress_zz", "kinetic"] {
             assert_eq!(
