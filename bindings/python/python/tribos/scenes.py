@@ -1010,6 +1010,9 @@ class GrainsScene(Scene):
         Steps after which a run ends in any case. *Value*: a whole number from 1 to 1000000000.
     sample_every
         Steps from one line of the series to the next. *Value*: a whole number from 1 to 1000000000.
+    average_from
+        Time from which on means over time are taken; for each column the time after which it has
+        settled if it is left out. *Unit*: s. *Value*: a finite number >= 0.
     """
 
     BODY: ClassVar[str] = "grains"
@@ -1095,6 +1098,7 @@ class GrainsScene(Scene):
     rest_speed: float | None = None
     max_steps: int = 10000000
     sample_every: int = 50
+    average_from: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

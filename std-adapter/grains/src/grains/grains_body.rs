@@ -4,9 +4,9 @@ use super::from_scene::volume;
 use super::initial_grains::start;
 use super::layout::Layout;
 use super::loads::Loads;
-use super::measure::{COLUMNS, PackingState};
+use super::measure::{COLUMNS, GrainsLine, PackingState};
 use super::mesh;
-use super::outcome::GrainsSummary;
+use super::outcome::{GrainsSummary, HopperFlow, averages};
 use super::wall::InitialWall;
 use crate::grains::scene::{Container, EndBoundary, GrainsScene};
 use crate::packing::PackingRunError;
@@ -65,9 +65,7 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
     type Monitor = SlowStepCount;
 
     const COLUMNS: [&'static str; COLUMNS.len()] = COLUMNS;
-    // Without forces and torques on driven grains and the mesh.
-    const FORMER_COLUMNS: usize = COLUMNS.len() - 12;
-    const FORMAT: (&'static str, u64) = ("tribos_grains", 3);
+    const FORMAT: (&'static str, u64) = ("tribos_grains", 4);
     const KIND: Kind = Kind::Grains;
     const CADENCE: MeasurementSchedule = MeasurementSchedule::Lines;
     const OVER: PackingStopReason = PackingStopReason::Rest;
@@ -238,12 +236,23 @@ impl GrainsSimulation {
             contacts: self.pairs(),
             end: now.line(),
             surface_angles: has_surface.then(|| now.surface_angles()),
+            surface_angle_error: has_surface.then(|| now.surface_angle_error()),
+            flow: (now.scene.container == Container::Hopper).then(|| self.flow()),
+            averages: averages(self.series(), now.scene.average_from),
             max_overlap: self.max_overlap(),
             statistics: self.statistics(),
             dissipation: Dissipation::of(energy),
             energy: PackingEnergy::of(energy, &now.scene.contact_method()),
             wall_seconds: totals.wall_seconds,
         }
+    }
+
+    /// Flow through the slot of a hopper.
+    fn flow(&self) -> HopperFlow {
+        let lines = self.series().iter().map(|row| GrainsLine::from(*row));
+        let (times, below): (Vec<f64>, Vec<f64>) =
+            lines.map(|line| (line.time, line.discharged)).unzip();
+        HopperFlow::of(&times, &below)
     }
 }
 

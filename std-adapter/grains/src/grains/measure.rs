@@ -89,6 +89,10 @@ summary! {
     dissipated_cohesion: f64, "J", InSeries;
     /// Shear stress of the contacts over the rate of a sheared box; 0 without a rate.
     viscosity: f64, "Pa s", InSeries;
+    /// Shear stress over normal stress, that of the plate or along z: mu of mu(I); 0 without a shear or a normal stress.
+    stress_ratio: f64, "-", Shown("stress ratio");
+    /// Inertial number I = |shear rate| d sqrt(density/normal stress), with the mean diameter; 0 without a normal stress.
+    inertial_number: f64, "-", Swept;
     /// Force of the others on the driven grains along x.
     driven_force_x: f64, "N";
     /// Force of the others on the driven grains along y.
@@ -286,6 +290,12 @@ impl PackingState<'_> {
         let [driven, driven_torque] = self.load_on(Holder::Drive);
         let [mesh, mesh_torque] = self.load_on_mesh();
         let plate_speed = self.loads.plate_speed(time);
+        let shear_rate = self.scene.shear_rate.unwrap_or(plate_speed / height);
+        let shear_stress = self.shear_stress(-plate.x / plate_area, stress.m13);
+        let normal_stress = match self.scene.shear_rate {
+            Some(_) => stress.m33,
+            None => plate.z / plate_area,
+        };
         GrainsLine {
             time,
             step: step as f64,
@@ -306,9 +316,9 @@ impl PackingState<'_> {
             stress_zz: stress.m33,
             stress_xz: stress.m13,
             plate_stress: plate.z / plate_area,
-            shear_stress: self.shear_stress(-plate.x / plate_area, stress.m13),
+            shear_stress,
             plate_speed,
-            shear_rate: self.scene.shear_rate.unwrap_or(plate_speed / height),
+            shear_rate,
             gravity_x: gravity.x,
             gravity_z: gravity.z,
             surface_angle: self.surface_angle(),
@@ -322,6 +332,13 @@ impl PackingState<'_> {
             dissipated_torsion: energy.torsion,
             dissipated_cohesion: energy.cohesion,
             viscosity: self.viscosity(stress.m13),
+            stress_ratio: finite(shear_stress / normal_stress)
+                .filter(|_| shear_rate != 0.0)
+                .unwrap_or(0.0),
+            inertial_number: finite(
+                shear_rate.abs() * self.diameter() * (self.density() / normal_stress).sqrt(),
+            )
+            .unwrap_or(0.0),
             driven_force_x: driven.x,
             driven_force_y: driven.y,
             driven_force_z: driven.z,
@@ -335,6 +352,24 @@ impl PackingState<'_> {
             mesh_torque_y: mesh_torque.y,
             mesh_torque_z: mesh_torque.z,
         }
+    }
+
+    /// Mean diameter of the grains.
+    fn diameter(&self) -> f64 {
+        let radii = self.packing.radii();
+        2.0 * radii.iter().sum::<f64>() / radii.len().max(1) as f64
+    }
+
+    /// Density of the grains: their mass over their volume.
+    fn density(&self) -> f64 {
+        let volumes = self.packing.radii().iter().map(|radius| volume(*radius));
+        self.mass() / volumes.sum::<f64>()
+    }
+
+    /// Mass of all grains.
+    pub fn mass(&self) -> f64 {
+        let spheres = self.packing.spheres().iter();
+        spheres.map(|grain| 1.0 / grain.inv_mass).sum()
     }
 
     /// Shear stress on the plate; of the contacts in a sheared box without walls.
@@ -368,7 +403,12 @@ impl PackingState<'_> {
     /// Slope of the free surface along x, in degrees, positive where it falls towards +x: the line of
     /// least squares through the highest grain of each strip of two diameters. 0 without a free surface.
     fn surface_angle(&self) -> f64 {
-        fall(&self.tops())
+        fall(&self.tops())[0]
+    }
+
+    /// Standard error of this angle, from the scatter of the strips about the line.
+    pub fn surface_angle_error(&self) -> f64 {
+        fall(&self.tops())[1]
     }
 
     /// The same of the lower and the upper half of the width: of a heap they have opposite signs.
@@ -376,7 +416,7 @@ impl PackingState<'_> {
         let tops = self.tops();
         let middle = tops.partition_point(|[x, _]| *x < 0.5 * self.scene.width);
         let (low, high) = tops.split_at(middle);
-        [fall(low), fall(high)]
+        [low, high].map(|half| fall(half)[0])
     }
 
     /// The highest grain of each strip along x, above the slot of a hopper.
@@ -409,19 +449,50 @@ impl PackingState<'_> {
     }
 }
 
-/// Fall of the line of least squares through points of x and z, in degrees; 0 through less than two.
-fn fall(tops: &[[f64; 2]]) -> f64 {
+/// A number that is finite.
+fn finite(number: f64) -> Option<f64> {
+    Some(number).filter(|number| number.is_finite())
+}
+
+/// Fall of the line of least squares through points of x and z, in degrees, and its standard error; 0 through less than
+/// two, with an error of NaN through less than three.
+fn fall(tops: &[[f64; 2]]) -> [f64; 2] {
     let count = tops.len() as f64;
     let mean = |axis: usize| tops.iter().map(|at| at[axis]).sum::<f64>() / count;
     let [x, z] = [0, 1].map(mean);
-    let (mut square, mut product) = (0.0, 0.0);
-    for at in tops {
-        square += (at[0] - x) * (at[0] - x);
-        product += (at[0] - x) * (at[1] - z);
-    }
+    let sum = |of: &dyn Fn([f64; 2]) -> f64| {
+        let about = tops.iter().map(|at| [at[0] - x, at[1] - z]);
+        about.map(of).sum::<f64>()
+    };
+    let square = sum(&|[x, _]| x * x);
     if square > 0.0 {
-        libm::atan(-product / square).to_degrees()
+        let slope = sum(&|[x, z]| x * z) / square;
+        let left = sum(&|[x, z]| (z - slope * x) * (z - slope * x));
+        let error = if count > 2.0 {
+            (left / (count - 2.0) / square).sqrt()
+        } else {
+            f64::NAN
+        };
+        // The angle is the arc tangent of the slope.
+        let error = error / (1.0 + slope * slope);
+        [libm::atan(-slope), error].map(f64::to_degrees)
     } else {
-        0.0
+        [0.0, f64::NAN]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slope_has_the_error_of_least_squares() {
+        // By hand: slope -0.95, squares of what is left 0.175, of the places 5: the error is √(0.175/2/5).
+        let [angle, error] = fall(&[[0.0, 0.0], [1.0, -1.0], [2.0, -1.5], [3.0, -3.0]]);
+        let slope = libm::tan(angle.to_radians());
+        assert!((slope - 0.95).abs() < 1e-12, "{slope}");
+        let of_slope = error.to_radians() * (1.0 + slope * slope);
+        assert!((of_slope - 0.0175_f64.sqrt()).abs() < 1e-12, "{of_slope}");
+        assert!(fall(&[[0.0, 0.0], [1.0, 0.0]])[1].is_nan());
     }
 }

@@ -24,10 +24,14 @@ mod wall;
 
 pub use crate::packing::PackingStopReason as GrainsStopReason;
 #[doc(hidden)]
+pub use container::{PlateOutline, plates};
+#[doc(hidden)]
 pub use cost::{cost, size, stable_step};
 pub use grains_body::GrainsSimulation;
 #[doc(hidden)]
 pub use measure::{COLUMNS, GrainsLine};
 pub use outcome::GrainsSummary;
+#[doc(hidden)]
+pub use outcome::{HopperFlow, averages};
 pub use ramp::Ramp;
 pub use texts::{Coordinates, GrainTypes};

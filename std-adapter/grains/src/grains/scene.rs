@@ -258,6 +258,8 @@ scene! {
     max_steps was steps: u64 = 10_000_000, "-", Count { from: 1.0, up_to: 1e9 };
     /// Steps from one line of the series to the next.
     sample_every was samples: u64 = 50, "-", Count { from: 1.0, up_to: 1e9 };
+    /// Time from which on means over time are taken; for each column the time after which it has settled if it is left out.
+    average_from: Option<f64> = None, "s", NotNegative;
 }
 
 /// Masses of a mean grain whose inertia and energies are numbers too.
@@ -313,6 +315,16 @@ fn rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
             MASSES.end()
         );
         judge.refuse(&["density", "radius"], message);
+    }
+    if scene
+        .average_from
+        .is_some_and(|from| from >= scene.duration)
+    {
+        let message = format!(
+            "`average_from` must be less than the `duration` of the run, {}",
+            scene.duration
+        );
+        judge.refuse(&["average_from", "duration"], message);
     }
     gravity_rule(scene, judge);
     bound_rules(scene, judge);

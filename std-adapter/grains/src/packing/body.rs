@@ -24,9 +24,6 @@ pub trait PackingBody<const N: usize>: Debug + Sized {
 
     /// Columns of the series.
     const COLUMNS: [&'static str; N];
-    /// How many of them a checkpoint of an earlier version has; the others are 0 there, as they are without what they
-    /// measure.
-    const FORMER_COLUMNS: usize = N;
     /// First key of a checkpoint, and the version of its format.
     const FORMAT: (&'static str, u64);
     /// What a film shows.

@@ -5,7 +5,7 @@ use super::last::read_report;
 use super::{PackingStopReason, Totals, WorldSnapshot};
 use serde_json::Value;
 use tribos_base::record::CheckpointError;
-use tribos_base::record::checkpoint::{damaged, numbers, opened};
+use tribos_base::record::checkpoint::{damaged, groups, opened};
 use tribos_base::scene::table::Table;
 use tribos_contacts::cd::StepReport;
 
@@ -22,8 +22,7 @@ pub(crate) struct PackingCheckpoint<B: PackingBody<N>, const N: usize> {
     /// Digest of what the run began with.
     pub origin: String,
     pub watch: B::Monitor,
-    /// Lines of the series; one of an earlier version lacks the last columns.
-    series: Vec<f64>,
+    pub series: Vec<[f64; N]>,
     /// Why the run ended, if it has.
     pub ending: Option<PackingStopReason>,
 }
@@ -44,7 +43,7 @@ impl<B: PackingBody<N>, const N: usize> PackingCheckpoint<B, N> {
                 .ok_or_else(|| damaged(ORIGIN))?
                 .into(),
             watch: B::read(&value)?,
-            series: numbers(&value, "series")?,
+            series: groups(&value, "series")?,
             ending: PackingStopReason::read(
                 &value,
                 &[B::OVER, PackingStopReason::Time, PackingStopReason::Steps],
@@ -52,14 +51,14 @@ impl<B: PackingBody<N>, const N: usize> PackingCheckpoint<B, N> {
         }))
     }
 
-    /// The lines of the series, if the state has these numbers of spheres and walls, forces only between them, as many
-    /// lines as the scene writes in its number of steps, and began with what the scene begins with now.
+    /// Whether the state has these numbers of spheres and walls, forces only between them, as many lines of the
+    /// series as the scene writes in its number of steps, and began with what the scene begins with now.
     pub fn fits(
         &self,
         (spheres, walls, has_mesh): (usize, usize, bool),
         origin: &str,
         to: RunLimits,
-    ) -> Result<Vec<[f64; N]>, CheckpointError> {
+    ) -> Result<(), CheckpointError> {
         if self.origin != origin {
             return Err(CheckpointError::Scene {
                 key: "initial_state".into(),
@@ -70,17 +69,11 @@ impl<B: PackingBody<N>, const N: usize> PackingCheckpoint<B, N> {
         let steps = self.frozen.steps;
         let last = self.ending.is_some() && !steps.is_multiple_of(to.samples);
         let lines = 1 + steps / to.samples + u64::from(last);
-        let is_whole = |columns: &usize| self.series.len() as u64 == lines * *columns as u64;
-        let Some(columns) = [N, B::FORMER_COLUMNS].into_iter().find(is_whole) else {
+        if self.series.len() as u64 != lines {
             return Err(damaged("series"));
-        };
-        let line = |known: &[f64]| {
-            let mut line = [0.0; N];
-            line[..known.len()].copy_from_slice(known);
-            line
-        };
+        }
         if self.frozen.fits(spheres, walls, has_mesh) {
-            Ok(self.series.chunks(columns).map(line).collect())
+            Ok(())
         } else {
             Err(damaged("numbers of spheres"))
         }

@@ -116,10 +116,9 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
         let corners = body.corners();
         let places = start.positions.iter().chain(&corners);
         let origin = origin(places, &start.radii, &start.kinds);
-        let mut series = Vec::new();
         if let Some(kept) = &kept {
             let numbers = (start.radii.len(), body.walls(), !corners.is_empty());
-            series = kept.fits(numbers, &origin, body.bounds())?;
+            kept.fits(numbers, &origin, body.bounds())?;
         }
         let frozen = kept.as_ref().map(|kept| &kept.frozen);
         let packing = packing_of(&body, &start, frozen.or(start.frozen.as_ref()))?;
@@ -132,7 +131,7 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
                 report: StepReport::default(),
             },
             kinds: start.kinds,
-            series,
+            series: Vec::new(),
             ending: None,
             origin,
             totals: Totals::default(),
@@ -148,6 +147,7 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
     /// Takes over what a checkpoint has beside the packing.
     fn restore(&mut self, kept: PackingCheckpoint<B, N>) -> Result<(), PackingRunError> {
         self.watch = kept.watch;
+        self.series = kept.series;
         self.totals = kept.totals;
         self.ending = kept.ending;
         self.seen.report = kept.report;
