@@ -12,7 +12,7 @@
  * WebAssembly. It is freed when the object is collected, or at once by `free()` or `using`.
  */
 
-import type { Body, BodyOptions, Friction, Rows, Twist, Wrench } from "./index.js";
+import type { Body, BodyOptions, Friction, LimitSurface, Rows, Twist, Wrench } from "./index.js";
 
 export {
   init,
@@ -69,6 +69,8 @@ export function disk(options: RoundOptions): RoundFriction;
 export function ring(options: RoundOptions): RoundFriction;
 /** Uniform pressure between an inner radius (in m, from 0) and the radius. */
 export function annulus(options: RoundOptions & { inner: number }): RoundFriction;
+/** The pressure 1/r between both radii: a clutch, a pivot or a thrust bearing that has worn in. Under Coulomb friction. */
+export function wornAnnulus(options: LawOptions & { inner: number; radius: number }): AnyFriction;
 /** The pressure √(1 − (r/radius)²) of elastic spheres (Hertz 1882). */
 export function hertz(options: RoundOptions): RoundFriction;
 /** The pressure 1/√(1 − (r/radius)²) under a rigid flat punch. */
@@ -141,6 +143,17 @@ export interface SteadyMotion {
   readonly evaluations: number;
 }
 
+/** The end of a time step on feet. */
+export interface FloorStep {
+  readonly twist: Twist;
+  /** Friction of all feet, as its mean over the step. */
+  readonly friction: Wrench;
+  /** As in `SteadyMotion`, at the end of the step. */
+  readonly carriedBy: number | null;
+  /** What the search has left of the balance of momentum, over all limits: some rounding errors. */
+  readonly imbalance: number;
+}
+
 /** A body on several surfaces, or on several feet, each of which has a surface that moves by itself. */
 export interface Floor {
   /** What all feet carry together, in N. */
@@ -156,6 +169,24 @@ export interface Floor {
    * more than friction carries.
    */
   steadyMotion(push?: Wrench): SteadyMotion;
+  /**
+   * The motion after one implicit time step of a body whose centre of mass is the origin. Feet that come to rest on
+   * their surface do so in every bit. Accuracy: of second order in dt while all feet slide.
+   *
+   * @param body mass in kg and moment of inertia in kg m², each above 0.
+   * @param push force and torque of all but friction, in N and N m; none for null.
+   * @param dt length of the step in s, above 0.
+   */
+  step(
+    body: { readonly mass: number; readonly inertia: number },
+    twist: Twist,
+    push: Wrench | null,
+    dt: number,
+  ): FloorStep;
+  /** All feet as one patch, while body and surfaces move as one: with mu = 1 under the load `forceLimit`. */
+  readonly patch: Friction;
+  /** All wrenches that the feet carry together then: that of `patch` under `forceLimit`. */
+  limitSurface(): LimitSurface;
   free(): void;
   [Symbol.dispose](): void;
 }

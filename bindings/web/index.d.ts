@@ -263,6 +263,12 @@ export interface BodyOptions {
   gravity?: number;
   /** Friction of the time steps, exact if it is left out. The approximations are in `tribos/all`. */
   model?: Model;
+  /**
+   * Coefficient at rest, at least that of the friction: in `step` and `rollout` a body at rest stays until the push
+   * exceeds it, and then slides under the friction in the same step. The same coefficient if it is left out. In
+   * `tribos/all`; RangeError in `tribos`.
+   */
+  muStatic?: number;
 }
 
 /** The end of a time step. */
@@ -322,6 +328,8 @@ export interface Body {
   /** In N. */
   readonly load: number;
   readonly model: Model;
+  /** Coefficient at rest. */
+  readonly muStatic: number;
 
   /**
    * The motion after one time step under a constant push: implicit, so that a body that friction holds

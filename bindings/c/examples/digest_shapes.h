@@ -73,6 +73,36 @@ static void LOCAL(feed_feet)(struct stream *s, const NAME(foot) *feet, const REA
     }
 }
 
+/* Bars, a worn annulus and points, each with one and two coefficients. */
+static void LOCAL(feed_others)(struct stream *s, const REAL *x, const REAL *p, const NAME(point) *centre,
+                               const NAME(point) *axis, const NAME(twist) *twist,
+                               const NAME(wrench) *push)
+{
+    NAME(point) from, to;
+    NAME(node) nodes[3];
+    NAME(shape) shape;
+    tribos_status status;
+    int i;
+
+    from.x = x[0];
+    from.y = -x[1];
+    to.x = -x[2];
+    to.y = x[3];
+    for (i = 0; i < 2; ++i) {
+        status = NAME(shape_bar)(&from, &to, i == 0 ? 0 : centre->x / 8, &shape);
+        LOCAL(feed_both)(s, status, &shape, p, axis, twist, push);
+    }
+    status = NAME(shape_worn_annulus)(centre, p[6] / 2, p[7], &shape);
+    LOCAL(feed_both)(s, status, &shape, p, axis, twist, push);
+    for (i = 0; i < 3; ++i) {
+        nodes[i].x = i == 1 ? -x[1] : x[2 * i];
+        nodes[i].y = i == 2 ? -x[3] : x[2 * i + 1];
+        nodes[i].weight = p[i];
+    }
+    status = NAME(shape_points)(nodes, 3, &shape);
+    LOCAL(feed_both)(s, status, &shape, p, axis, twist, push);
+}
+
 /* A disk, an ellipse, a polygon and its piece, each with one and two coefficients; then three feet. */
 static void LOCAL(shapes)(struct stream *s, enum range range)
 {
@@ -81,7 +111,8 @@ static void LOCAL(shapes)(struct stream *s, enum range range)
     NAME(point) corners[4], centre, axis, axes, across[2];
     NAME(edge) edges[4], other[8];
     NAME(polygon) patch, piece;
-    NAME(shape) shapes[3], turned;
+    NAME(shape) shapes[3], other_shape;
+    NAME(part) parts[3];
     NAME(foot) feet[3];
     NAME(twist) twist;
     NAME(wrench) push;
@@ -111,14 +142,17 @@ static void LOCAL(shapes)(struct stream *s, enum range range)
     for (i = 0; i < 3; ++i) {
         feet[i].shape = &shapes[i];
         feet[i].limit = x[5 + i];
+        parts[i].shape = &shapes[i];
+        parts[i].limit = x[5 + i];
         feet[i].surface = LOCAL(draw_twist)(s, MILD);
     }
     status = NAME(shape_disk)(pressure, &centre, p[7], &shapes[0]);
     built = LOCAL(feed_both)(s, status, &shapes[0], p, &axis, &twist, &push);
     status = NAME(shape_ellipse)(pressure, &centre, &axes, &shapes[1]);
     built += LOCAL(feed_both)(s, status, &shapes[1], p, &axis, &twist, &push);
-    status = NAME(shape_turned_ellipse)(pressure, &centre, across, &turned);
-    LOCAL(feed_both)(s, status, &turned, p, &axis, &twist, &push);
+    status = NAME(shape_turned_ellipse)(pressure, &centre, across, &other_shape);
+    LOCAL(feed_both)(s, status, &other_shape, p, &axis, &twist, &push);
+    LOCAL(feed_others)(s, x, p, &centre, &axis, &twist, &push);
     for (i = 0; i < 4; ++i) {
         corners[i].x = i == 0 || i == 3 ? x[2 * i] : -x[2 * i];
         corners[i].y = i < 2 ? x[2 * i + 1] : -x[2 * i + 1];
@@ -138,6 +172,10 @@ static void LOCAL(shapes)(struct stream *s, enum range range)
     }
     status = NAME(shape_polygon)(&patch, &shapes[2]);
     built += LOCAL(feed_both)(s, status, &shapes[2], p, &axis, &twist, &push);
+    if (built == 3) {
+        status = NAME(shape_feet)(parts, 3, &other_shape);
+        LOCAL(feed_both)(s, status, &other_shape, p, &axis, &twist, &push);
+    }
     body.mass = p[0];
     body.inertia = p[1];
     disk.force_limit = p[2];

@@ -385,6 +385,14 @@ typedef struct tribos_shape_f64 {
   uint32_t built;
 } tribos_shape_f64;
 
+// One of several shapes under a body, and what it carries.
+typedef struct tribos_part_f64 {
+  // Its patch, in the coordinates of the body.
+  const struct tribos_shape_f64 *shape;
+  // Its coefficient, the larger one of two, times its load; not negative. Only ratios count.
+  double limit;
+} tribos_part_f64;
+
 // A sliding body; all parameters are positive and finite.
 typedef struct tribos_slider_f64 {
   // Deceleration of pure sliding, mu x gravity.
@@ -808,6 +816,14 @@ typedef struct tribos_shape_f32 {
   // Marker of a completed build.
   uint32_t built;
 } tribos_shape_f32;
+
+// One of several shapes under a body, and what it carries.
+typedef struct tribos_part_f32 {
+  // Its patch, in the coordinates of the body.
+  const struct tribos_shape_f32 *shape;
+  // Its coefficient, the larger one of two, times its load; not negative. Only ratios count.
+  float limit;
+} tribos_part_f32;
 
 // A sliding body; all parameters are positive and finite.
 typedef struct tribos_slider_f32 {
@@ -1575,10 +1591,40 @@ tribos_status tribos_shape_turned_ellipse_f64(uint32_t pressure,
 tribos_status tribos_shape_polygon_f64(const struct tribos_polygon_f64 *polygon,
                                        struct tribos_shape_f64 *shape);
 
+// An annulus about any centre under the pressure 1/r, as a clutch, a pivot or a thrust bearing that has worn in.
+// Domain: a finite centre; 0 <= inner_ratio <= 0.999999; 0 < radius < inf.
+// Accuracy, of coefficient x load, and x radius: 2e-15 (f32: 1e-6). Cost: 16 rings, at most 96.
+tribos_status tribos_shape_worn_annulus_f64(const struct tribos_point_f64 *centre,
+                                            double inner_ratio,
+                                            double radius,
+                                            struct tribos_shape_f64 *shape);
+
+// A straight line that carries load: a blade, a skate, the edge of a box. The centre of pressure lies `lean` from
+// its middle towards `to`: 0 under uniform pressure, which is linear else. Domain: finite, different ends;
+// TRIBOS_STATUS_NEGATIVE beyond a sixth of the length, where the bar would lift off.
+// Accuracy, of coefficient x load, and x radius: 3e-14 (f32: 4e-6).
+tribos_status tribos_shape_bar_f64(const struct tribos_point_f64 *from,
+                                   const struct tribos_point_f64 *to,
+                                   double lean,
+                                   struct tribos_shape_f64 *shape);
+
+// Points that stay where they are: feet, spikes, the nodes of a rule. Domain: that of tribos_nodes_gauge_f64.
+tribos_status tribos_shape_points_f64(struct tribos_node_f64 *nodes,
+                                      size_t count,
+                                      struct tribos_shape_f64 *shape);
+
+// Several shapes under one body as one, while all surfaces under them move alike: with coefficient x load or the
+// force limit of a call the sum of all limits. Parts and their shapes stay where they are. Domain: limits with a
+// finite, positive sum; TRIBOS_STATUS_CHOICE if a part is `shape` itself or several shapes.
+tribos_status tribos_shape_feet_f64(const struct tribos_part_f64 *parts,
+                                    size_t count,
+                                    struct tribos_shape_f64 *shape);
+
 // Gives a shape the coefficients `along` an axis of it and `across` that axis: tread, skates, grooved or brushed
 // surfaces. The larger one is the coefficient, and the one in the force limit, of every call that follows.
-// Rewrites the edges of a polygon: the polygon itself and copies are lost. Domain: positive, finite coefficients;
-// an axis of any finite length but zero. TRIBOS_STATUS_AXES if the shape has two coefficients already;
+// Rewrites the edges of a polygon and points: the polygon itself and copies are lost. Domain: positive, finite
+// coefficients; an axis of any finite length but zero. TRIBOS_STATUS_AXES if the shape has two coefficients already;
+// TRIBOS_STATUS_CHOICE for a worn annulus, and for several shapes, each of which takes its own;
 // TRIBOS_STATUS_SEMI_AXES for an ellipse, stretched by the coefficients, of more than 1e6 to 1;
 // TRIBOS_STATUS_RADIUS if the stretched patch vanishes in rounding, which loses the edges.
 tribos_status tribos_shape_two_coefficients_f64(struct tribos_shape_f64 *shape,
@@ -2472,10 +2518,40 @@ tribos_status tribos_shape_turned_ellipse_f32(uint32_t pressure,
 tribos_status tribos_shape_polygon_f32(const struct tribos_polygon_f32 *polygon,
                                        struct tribos_shape_f32 *shape);
 
+// An annulus about any centre under the pressure 1/r, as a clutch, a pivot or a thrust bearing that has worn in.
+// Domain: a finite centre; 0 <= inner_ratio <= 0.999999; 0 < radius < inf.
+// Accuracy, of coefficient x load, and x radius: 2e-15 (f32: 1e-6). Cost: 16 rings, at most 96.
+tribos_status tribos_shape_worn_annulus_f32(const struct tribos_point_f32 *centre,
+                                            float inner_ratio,
+                                            float radius,
+                                            struct tribos_shape_f32 *shape);
+
+// A straight line that carries load: a blade, a skate, the edge of a box. The centre of pressure lies `lean` from
+// its middle towards `to`: 0 under uniform pressure, which is linear else. Domain: finite, different ends;
+// TRIBOS_STATUS_NEGATIVE beyond a sixth of the length, where the bar would lift off.
+// Accuracy, of coefficient x load, and x radius: 3e-14 (f32: 4e-6).
+tribos_status tribos_shape_bar_f32(const struct tribos_point_f32 *from,
+                                   const struct tribos_point_f32 *to,
+                                   float lean,
+                                   struct tribos_shape_f32 *shape);
+
+// Points that stay where they are: feet, spikes, the nodes of a rule. Domain: that of tribos_nodes_gauge_f32.
+tribos_status tribos_shape_points_f32(struct tribos_node_f32 *nodes,
+                                      size_t count,
+                                      struct tribos_shape_f32 *shape);
+
+// Several shapes under one body as one, while all surfaces under them move alike: with coefficient x load or the
+// force limit of a call the sum of all limits. Parts and their shapes stay where they are. Domain: limits with a
+// finite, positive sum; TRIBOS_STATUS_CHOICE if a part is `shape` itself or several shapes.
+tribos_status tribos_shape_feet_f32(const struct tribos_part_f32 *parts,
+                                    size_t count,
+                                    struct tribos_shape_f32 *shape);
+
 // Gives a shape the coefficients `along` an axis of it and `across` that axis: tread, skates, grooved or brushed
 // surfaces. The larger one is the coefficient, and the one in the force limit, of every call that follows.
-// Rewrites the edges of a polygon: the polygon itself and copies are lost. Domain: positive, finite coefficients;
-// an axis of any finite length but zero. TRIBOS_STATUS_AXES if the shape has two coefficients already;
+// Rewrites the edges of a polygon and points: the polygon itself and copies are lost. Domain: positive, finite
+// coefficients; an axis of any finite length but zero. TRIBOS_STATUS_AXES if the shape has two coefficients already;
+// TRIBOS_STATUS_CHOICE for a worn annulus, and for several shapes, each of which takes its own;
 // TRIBOS_STATUS_SEMI_AXES for an ellipse, stretched by the coefficients, of more than 1e6 to 1;
 // TRIBOS_STATUS_RADIUS if the stretched patch vanishes in rounding, which loses the edges.
 tribos_status tribos_shape_two_coefficients_f32(struct tribos_shape_f32 *shape,

@@ -1,12 +1,15 @@
 //! Bodies on several feet, or on a floor of several surfaces that move.
 
-use crate::arrays::{Output, Rows, refused};
+use crate::arrays::{Output, Rows, broadcast, refused};
 use crate::model::{numbers, twist_numbers, twist_of, wrench_of};
 use crate::patch::Patch;
 use crate::threads::fill;
+use numpy::{PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use tribos::friction::{Area, Coefficients, FootOnFloor, Surface};
+use tribos_core::contact::TimeStep;
 use tribos_core::floor::SteadyState;
+use tribos_core::planar::PlanarBody;
 use tribos_core::twist::Twist;
 
 /// Feet on surfaces.
@@ -43,7 +46,7 @@ impl Floor {
         of: impl Fn(&Twist<f64>) -> [f64; N] + Sync,
     ) -> PyResult<Bound<'py, PyAny>> {
         let (py, rows) = (twists.py(), Rows::<3>::new("twists", twists)?);
-        let batch = crate::arrays::broadcast(&[&rows])?;
+        let batch = broadcast(&[&rows])?;
         let rows = rows.over(&batch)?;
         let rows = rows.view()?;
         let mut output = Output::new(py, &batch, shape, out)?;
@@ -146,5 +149,45 @@ impl Floor {
                 "the search for the steady motion has missed it: give points a small area, such as tribos.disk",
             )),
         }
+    }
+
+    /// One time step of bodies of a mass in kg and an inertia in kg m² over a length in s: twists, friction, and whether feet rest.
+    fn step<'py>(
+        &self,
+        twists: &Bound<'py, PyAny>,
+        pushes: &Bound<'py, PyAny>,
+        body: [f64; 3],
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<[Bound<'py, PyAny>; 3]> {
+        let (py, [mass, inertia, dt]) = (twists.py(), body);
+        let body = PlanarBody::new(mass, inertia).map_err(refused)?;
+        let dt = TimeStep::new(dt).map_err(refused)?;
+        let twists = Rows::<3>::new("twists", twists)?;
+        let pushes = Rows::<3>::new("pushes", pushes)?;
+        let batch = broadcast(&[&twists, &pushes])?;
+        let (twists, pushes) = (twists.over(&batch)?, pushes.over(&batch)?);
+        let (start, pushes) = (twists.view()?, pushes.view()?);
+        let mut steps = vec![None; batch.iter().product()];
+        let cost = 20 * COST * self.0.parts().len();
+        fill(py, &mut steps, cost, |from, piece| {
+            for (index, step) in (from..).zip(piece) {
+                let (twist, push) = (twist_of(start.at(index)), wrench_of(pushes.at(index)));
+                *step = self.0.step(&body, &twist, &push, dt);
+            }
+            Ok(())
+        })?;
+        let mut after = Output::new(py, &batch, &[3], out)?;
+        let mut friction = Output::new(py, &batch, &[3], None)?;
+        let rests = PyArrayDyn::<bool>::zeros(py, batch, false);
+        let mut flags = rests.readwrite();
+        let rows = after.rows::<3>()?.iter_mut().zip(friction.rows::<3>()?);
+        for ((row, rest), step) in rows.zip(flags.as_slice_mut().map_err(refused)?).zip(steps) {
+            let step = step.ok_or_else(|| refused("a floor needs feet"))?;
+            *row.0 = twist_numbers(&step.twist);
+            *row.1 = numbers(&step.friction);
+            *rest = step.carried_by.is_some();
+        }
+        drop(flags);
+        Ok([after.finish()?, friction.finish()?, rests.into_any()])
     }
 }

@@ -19,6 +19,7 @@ mod manifold;
 mod model;
 mod modes;
 mod mujoco;
+mod packing;
 mod particles;
 mod patch;
 mod planar;
@@ -53,7 +54,7 @@ mod _native {
     #[pymodule_export]
     use floor::Floor;
     #[pymodule_export]
-    use friction::Friction;
+    use friction::{Friction, LoadedFriction};
     #[pymodule_export]
     use gradients::{RestMap, SurfaceDerivatives};
     #[pymodule_export]
@@ -68,6 +69,8 @@ mod _native {
     use modes::PowerLawProfile;
     #[pymodule_export]
     use mujoco::MujocoFeet;
+    #[pymodule_export]
+    use packing::PackingFile;
     #[pymodule_export]
     use particles::World;
     #[pymodule_export]

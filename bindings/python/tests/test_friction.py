@@ -132,3 +132,66 @@ def test_wrenches_together_are_wrenches_alone_under_one_load_and_under_many(patc
                 for k, one in enumerate(np.broadcast_to(load, 150)):
                     alone = getattr(of(float(one)), ask)(pushes[k])
                     assert np.array_equal(together[k], alone, equal_nan=True)
+
+
+def test_a_radius_follows_the_load() -> None:
+    loads, spin = np.array([0.5, 4.0, 30.0]), [0.0, 0.0, 1.0]
+    ball = tribos.LoadedFriction("hertz:modulus=2e6,radius=0.01", mu=0.3)
+    radii = np.cbrt(0.75 * loads * 0.01 / 2e6)
+    assert np.allclose(ball.radius(loads), radii, rtol=1e-15)
+    # A Hertzian patch turns against 3 pi/16 of mu N a.
+    torques = -3.0 * np.pi / 16.0 * 0.3 * loads * radii
+    assert np.allclose(ball.wrench(spin, loads)[:, 2], torques, rtol=1e-14)
+    # An adhesive sphere at the pull-off has 4^(-1/3) of the radius without load (Johnson, Kendall and Roberts 1971).
+    gel = tribos.LoadedFriction("jkr:modulus=1e5,radius=0.01,work=0.05", mu=1.0)
+    off = -1.5 * np.pi * 0.05 * 0.01
+    assert gel.radius(off) / gel.radius(0.0) == pytest.approx(0.25 ** (1 / 3), rel=1e-6)
+    assert gel.radius(1.001 * off) == 0.0
+    # The slope by the load is the difference quotient.
+    twist, h = [0.02, 0.01, 7.0], 1e-4
+    for area in (
+        ball,
+        gel,
+        tribos.LoadedFriction("finger:scale=3e-3,exponent=0.2", mu=0.5, pressure="disk"),
+    ):
+        quotient = (area.wrench(twist, loads + h) - area.wrench(twist, loads - h)) / (2.0 * h)
+        assert np.allclose(area.slope_by_load(twist, loads), quotient, rtol=1e-6, atol=1e-10)
+    fixed = tribos.LoadedFriction(0.02, mu=0.3, pressure="disk")
+    alone = tribos.Friction(tribos.disk(0.02), mu=0.3)
+    assert np.allclose(fixed.wrench(twist, loads), alone.wrench(twist, loads), rtol=4e-15)
+    for text in (
+        "hertz:modulus=2e6",
+        "hertz:modulus=-1,radius=1",
+        "ball",
+        "finger:scale=1,exponent=0.5",
+        "0",
+    ):
+        with pytest.raises(ValueError):
+            tribos.LoadedFriction(text, mu=0.3)
+
+
+def test_steps_on_moving_surfaces() -> None:
+    wood = tribos.Friction(tribos.box(0.3, 0.2), mu=0.4)
+    crate = tribos.PlanarBody(wood, mass=2.0, inertia=0.02)
+    everywhere = [[-9.0, -9.0], [9.0, -9.0], [9.0, 9.0], [-9.0, 9.0]]
+    rng = np.random.default_rng(8)
+    twists, pushes = rng.normal(size=(2, 40, 3)) * [1.0, 1.0, 5.0]
+    # A belt under the whole body is a floor at rest for one who moves with the belt.
+    belt = np.array([0.4, -0.2, 0.0])
+    moved = crate.step(twists, pushes, 0.01, surface=[(everywhere, belt)])
+    still = crate.step(twists - belt, pushes, 0.01)
+    assert np.allclose(moved.twists, still.twists + belt, atol=1e-12)
+    assert np.array_equal(moved.at_rest, still.at_rest)
+    # Halves of the body on two belts are two feet.
+    half = tribos.Friction(tribos.box(0.3, 0.1), mu=0.4)
+    speeds = [[0.5, 0.0, 0.0], [-0.5, 0.0, 0.0]]
+    feet = tribos.feet(
+        [(half, 9.81, (0.0, y), 0.0, speed) for y, speed in zip((0.05, -0.05), speeds, strict=True)]
+    )
+    borders = [[[0, 0], [1, 0]], [[1, 0], [0, 0]]]
+    on_belts = crate.step(twists, pushes, 0.01, surface=list(zip(borders, speeds, strict=True)))
+    on_feet = feet.step(twists, pushes, 0.01, mass=2.0, inertia=0.02)
+    assert np.allclose(on_belts.twists, on_feet.twists, atol=1e-11)
+    for wrong in ({"angle": 0.1}, {"load": [1.0, 2.0]}):
+        with pytest.raises(ValueError):
+            crate.step(twists, pushes, 0.01, surface=[(everywhere, belt)], **wrong)

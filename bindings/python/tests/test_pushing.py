@@ -285,8 +285,14 @@ def test_torque_limits_are_on_the_surface() -> None:
         wrench = np.concatenate([spread, limits[..., side, None]], axis=-1)
         np.testing.assert_allclose(floor.gauge(wrench), 1.0, atol=1e-13)
     assert np.all(limits[..., 0] < limits[..., 1])
-    with pytest.raises(ValueError, match="straight edges"):
-        PUCK.torque_limits([0.1, 0.0])
+    # A ring without spin slides alike everywhere; beside half of the force it carries what its gauge says.
+    ring = tribos.LimitSurface(tribos.ring(0.05), mu=0.5, load=20.0)
+    low, high = ring.torque_limits([[0.0, 0.0], [3.0, 4.0], [8.0, 6.0001]]).T
+    np.testing.assert_allclose(high[0], 0.5, atol=1e-12)
+    assert ring.gauge([3.0, 4.0, high[1]]) == pytest.approx(1.0, abs=1e-12)
+    assert np.array_equal(low[:2], -high[:2]) and np.isnan([low[2], high[2]]).all()
+    with pytest.raises(ValueError, match="ellipsoid"):
+        PUCK.ellipsoid().torque_limits([0.1, 0.0])
 
 
 SOLE = np.array([[-0.06, -0.04], [0.18, -0.05], [0.18, 0.05], [-0.06, 0.04]])

@@ -17,19 +17,31 @@ const MOST_TIMES = 8;
 const NOTHING = Object.freeze({ fx: 0, fy: 0, torque: 0 });
 const ORIGIN = Object.freeze({ x: 0, y: 0, angle: 0 });
 
+/** Static over kinetic friction. */
+function strength(still, mu) {
+  if (wasm.release === undefined) throw new RangeError("muStatic is in tribos/all, not in tribos");
+  if (!(still >= mu && still < Infinity)) {
+    throw new RangeError(`muStatic must be finite and at least mu, ${mu}, not ${still}`);
+  }
+  return mu > 0 ? still / mu : 1;
+}
+
 /** A body that is pushed, turned and slides on its patch. */
 export class Body {
   #surface;
   #deceleration;
   #inertiaRatio;
+  #strength;
 
   /** Not for users: `body` makes it. */
-  constructor(friction, { mass, inertia, load, gravity, model = "exact" }) {
+  constructor(friction, { mass, inertia, load, gravity, model = "exact", muStatic }) {
     this.friction = friction;
     this.mass = number("mass", mass);
     this.inertia = number("inertia", inertia);
     this.load = checked(numberOr("load", load, mass * numberOr("gravity", gravity, GRAVITY)));
     this.model = model;
+    this.muStatic = numberOr("muStatic", muStatic, friction.mu);
+    this.#strength = muStatic === undefined ? 1 : strength(muStatic, friction.mu);
     check(wasm.check_body(mass, inertia));
     // Without dry friction there is no surface, and no step.
     if (friction.alpha === 0) this.#surface = surfaceNumbers(friction, model);
@@ -66,7 +78,7 @@ export class Body {
     check(
       // prettier-ignore
       wasm.step(
-        handle, radius, limit, model, lever, spinTorque, mass, inertia, dt, turned,
+        handle, radius, limit, model, lever, spinTorque, mass, inertia, this.#strength, dt, turned,
         vx, vy, spin, fx, fy, torque,
       ),
     );
@@ -101,7 +113,8 @@ export class Body {
     check(
       // prettier-ignore
       wasm.rollout(
-        handle, radius, limit, model, lever, spinTorque, this.mass, this.inertia, number("dt", dt),
+        handle, radius, limit, model, lever, spinTorque, this.mass, this.inertia, this.#strength,
+        number("dt", dt),
         vx, vy, spin, fx, fy, torque, x, y, angle, place(), count,
       ),
     );

@@ -7,12 +7,14 @@ import { answer, check, place, room, wasm } from "./wasm.js";
 const TWIST = ["vx", "vy", "spin"];
 const WRENCH = ["fx", "fy", "torque"];
 const STILL = { vx: 0, vy: 0, spin: 0 };
+const NOTHING = { fx: 0, fy: 0, torque: 0 };
 /** Numbers of a foot. */
 const FOOT = 10;
 
 /** A body on surfaces, each of which moves by itself. */
 class Floor {
   #handle;
+  #patch;
 
   constructor(handle, forceLimit, count) {
     this.#handle = handle;
@@ -32,24 +34,52 @@ class Floor {
     return answer().slice(0, 9);
   }
 
-  steadyMotion(push = { fx: 0, fy: 0, torque: 0 }) {
+  steadyMotion(push = NOTHING) {
     check(wasm.floor_steady_motion(this.#handle, ...numbers("push", push, WRENCH)));
-    const [vx, vy, spin, fx, fy, torque, carriedBy, evaluations] = answer();
-    return {
-      twist: { vx, vy, spin },
-      friction: { fx, fy, torque },
-      carriedBy: carriedBy < 0 ? null : carriedBy,
-      evaluations,
-    };
+    return ended("evaluations");
+  }
+
+  step(body, twist, push, dt) {
+    const { mass, inertia } = fields("the body", body);
+    const given = [number("mass", mass), number("inertia", inertia), number("dt", dt)];
+    const motion = [...numbers("twist", twist, TWIST), ...numbers("push", push ?? NOTHING, WRENCH)];
+    check(wasm.floor_step(this.#handle, ...given, ...motion));
+    return ended("imbalance");
+  }
+
+  get patch() {
+    if (this.#patch === undefined) {
+      check(wasm.floor_patch(this.#handle));
+      const [handle, radius, x, y, mu, alpha] = answer();
+      const parts = { handle, kind: "feet", isRound: false, mu, alpha, radius, centre: [x, y] };
+      this.#patch = Object.freeze(remember(new Friction(parts), handle));
+    }
+    return this.#patch;
+  }
+
+  limitSurface() {
+    return this.patch.limitSurface(this.forceLimit);
   }
 
   free() {
     if (this.#handle === FREED) return;
+    this.#patch?.free();
     forget(this, this.#handle);
     this.#handle = FREED;
   }
 }
 disposable(Floor);
+
+/** A motion with its friction, and what the last number of the answer is. */
+function ended(last) {
+  const [vx, vy, spin, fx, fy, torque, carriedBy, value] = answer();
+  return {
+    twist: { vx, vy, spin },
+    friction: { fx, fy, torque },
+    carriedBy: carriedBy < 0 ? null : carriedBy,
+    [last]: value,
+  };
+}
 
 function numbers(name, value, keys) {
   allNumbers(name, value, keys);

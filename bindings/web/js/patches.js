@@ -115,6 +115,12 @@ export function annulus(options) {
   return round("annulus", `annulus:${ratio}`, others);
 }
 
+export function wornAnnulus(options) {
+  const { inner, radius, ...law } = fields("the annulus", options);
+  const name = `worn-annulus:${number("inner", inner) / number("radius", radius)}`;
+  return named("wornAnnulus", name, radius, false, law);
+}
+
 export function hertz(options) {
   return round("hertz", "hertz", fields("the patch", options));
 }

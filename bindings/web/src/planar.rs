@@ -35,6 +35,7 @@ impl StepResult {
 pub struct Stepper {
     body: PlanarBody<f64>,
     dt: TimeStep<f64>,
+    strength: f64,
 }
 
 impl Stepper {
@@ -43,7 +44,13 @@ impl Stepper {
         Ok(Self {
             body: PlanarBody::new(mass, inertia)?,
             dt: TimeStep::new(dt)?,
+            strength: 1.0,
         })
+    }
+
+    /// The same with static friction that is `strength` times kinetic friction. The small module has no code for it.
+    pub fn sticking(self, strength: f64) -> Self {
+        Self { strength, ..self }
     }
 
     /// A step of a body whose patch is turned by `angle`, in rad.
@@ -80,9 +87,13 @@ impl Stepper {
         twist: [f64; 3],
         push: [f64; 3],
     ) -> StepResult {
-        let step = self
-            .body
-            .step(set, &twist_of(twist), &wrench_of(push), self.dt);
+        let (body, dt, strength) = (&self.body, self.dt, self.strength);
+        let (twist, push) = (twist_of(twist), wrench_of(push));
+        let step = if cfg!(feature = "all") && strength > 1.0 {
+            body.step_sticking(set, strength, &twist, &push, dt)
+        } else {
+            body.step(set, &twist, &push, dt)
+        };
         StepResult {
             twist: row_of_twist(&step.twist),
             friction: row_of(&step.friction),

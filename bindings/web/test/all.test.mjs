@@ -115,6 +115,68 @@ test("a parcel on two belts, and a robot that turns in place, find their steady 
   assert.throws(() => oil.onSurfaces(1, [belt]), /need dry friction/);
 });
 
+test("static friction holds a body until it is exceeded, whatever the step", () => {
+  const crate = tribos.box({ a: 0.4, b: 0.3, mu: 0.5 });
+  const given = { mass: 8, inertia: 0.17, load: 80 };
+  const still = { vx: 0, vy: 0, spin: 0 };
+  // 40 N in motion, 56 N at rest.
+  const body = crate.body({ ...given, muStatic: 0.7 });
+  for (const dt of [1e-5, 1e-2, 1]) {
+    const [held, let_go] = [1 - 1e-9, 1 + 1e-9].map((share) => body.step(still, { fx: 56 * share, fy: 0, torque: 0 }, dt, 0.3));
+    assert.deepEqual([held.isAtRest, held.vx, let_go.isAtRest], [true, 0, false]);
+    near(let_go.vx, (16 / 8) * dt, 1e-7 * dt);
+  }
+  const push = { fx: 50, fy: 0, torque: 0 };
+  const path = (muStatic) => crate.body({ ...given, muStatic }).rollout(still, { dt: 0.01, steps: 5, push });
+  near(path(undefined)[7 * 5 + 4], (10 / 8) * 0.05);
+  assert.equal(path(0.7)[7 * 5 + 4], 0);
+  assert.deepEqual(path(0.5), path(undefined));
+  assert.equal(crate.body(given).muStatic, 0.5);
+  assert.throws(() => crate.body({ ...given, muStatic: 0.4 }), { name: "RangeError", message: /at least mu, 0.5, not 0.4/ });
+  assert.throws(() => crate.body({ ...given, muStatic: NaN }), RangeError);
+  assert.throws(() => crate.body({ ...given, muStatic: "1" }), TypeError);
+});
+
+test("feet carry together what statics says, and step on what moves", () => {
+  const pad = tribos.disk({ radius: 1e-5, mu: 0.5 });
+  const still = { vx: 0, vy: 0, spin: 0 };
+  const foot = (x, load, vx) => ({ friction: pad, load, place: [x, 0], surface: { ...still, vx } });
+  const pair = tribos.feet([foot(-0.1, 10, 0), foot(0.3, 30, 0)]);
+  near(pair.patch.centre[0], 0.2);
+  const surface = pair.limitSurface();
+  near(surface.forceLimit, 20);
+  // Pure force through the centre of friction; pure torque, in which both feet pull across their line.
+  near(surface.gauge({ fx: 0, fy: 10, torque: 10 * 0.2 }), 0.5, 1e-8);
+  near(surface.support({ ...still, spin: 1 }), 5 * 0.1 + 15 * 0.3, 1e-8);
+  // Pushed beside the weaker foot it turns about the stronger one.
+  const { vy, spin } = surface.normal({ fx: 0, fy: 10, torque: -1.5 });
+  near(vy / spin, -0.3, 1e-6);
+  const nearest = surface.project({ fx: 0, fy: 50, torque: 50 * 0.2 }, 1e9);
+  assert.ok(nearest.slides);
+  near(nearest.fy, 20, 1e-7);
+  // Both belts alike take the body along: mu N dt/M until it has their speed, and then to the last bit.
+  const belts = tribos.feet([foot(-0.1, 10, 2), foot(0.1, 10, 2)]);
+  const body = { mass: 2, inertia: 0.1 };
+  const gains = belts.step(body, still, null, 0.01);
+  near(gains.twist.vx, (10 / 2) * 0.01);
+  assert.equal(gains.carriedBy, null);
+  assert.ok(Math.abs(gains.imbalance) < 1e-14);
+  const taken = belts.step(body, { ...still, vx: 1.99 }, { fx: 1, fy: 0, torque: 0 }, 0.01);
+  assert.deepEqual([taken.twist, taken.carriedBy], [{ vx: 2, vy: 0, spin: 0 }, 0]);
+  assert.throws(() => belts.step({ mass: 0, inertia: 1 }, still, null, 0.01), /mass must be positive/);
+  const { patch } = belts;
+  belts.free();
+  assert.throws(() => patch.limitSurface(1), /freed/);
+  assert.throws(() => belts.limitSurface(), /freed/);
+});
+
+test("a worn annulus resists spinning at its mean radius", () => {
+  const clutch = tribos.wornAnnulus({ inner: 0.06, radius: 0.1, mu: 0.35 });
+  near(clutch.wrench({ ...{ vx: 0, vy: 0 }, spin: 20 }, 4000).torque, -0.35 * 4000 * 0.08, 1e-9);
+  near(clutch.limitSurface(4000).torqueLimit, 112, 1e-9);
+  assert.throws(() => tribos.wornAnnulus({ inner: 0.06, radius: 0.1, mu: 0.35, alpha: 1 }), /dry friction/);
+});
+
 test("a body at rest stays there, in no time", () => {
   const still = { vx: 0, vy: 0, spin: 0 };
   for (const model of ["exact", "ellipsoid", "separate"]) {

@@ -92,13 +92,15 @@ function surfaceOf(chapter, friction, model = "exact", count = CALLS) {
   chapter.add(...surface.meridian(33, 0.7));
 }
 
-function stepsOf(chapter, friction, model = "exact") {
-  const body = friction.body({ mass: 0.5, inertia: 0.003, load: 4, model });
+function stepsOf(chapter, friction, model = "exact", muStatic = undefined) {
+  const body = friction.body({ mass: 0.5, inertia: 0.003, load: 4, model, muStatic });
   for (let call = 0; call < CALLS; call++) {
     const [twist, push] = [chapter.twist(), chapter.push(3, 0.1)];
     const [dt, angle] = [chapter.positive(0.05), chapter.signed(3)];
     const step = body.step(twist, push, dt, angle);
     chapter.add(...twistOf(step), ...wrenchOf(step), step.isAtRest ? 1 : 0);
+    const still = body.step({ vx: 0, vy: 0, spin: 0 }, push, dt, angle);
+    chapter.add(...twistOf(still), ...wrenchOf(still), still.isAtRest ? 1 : 0);
   }
   for (let call = 0; call < FEW; call++) {
     const [twist, push] = [chapter.twist(), chapter.push(3, 0.1)];
@@ -187,6 +189,7 @@ export const others = {
     frictionOf(chapter, friction);
     surfaceOf(chapter, friction, "exact", FEW);
     stepsOf(chapter, friction);
+    stepsOf(chapter, friction, "exact", 0.8);
     const body = friction.body({ mass: 2, inertia: 0.05 });
     for (let call = 0; call < 5; call++) chapter.add(...body.slidePath(chapter.twist(), 50));
   },
@@ -206,7 +209,7 @@ export const others = {
     }
     frictionOf(chapter, points({ points: feet, law: oil }));
   },
-  floors: ({ bolts, box, disk, ellipse, feet, hertzEllipse, polygon }, chapter) => {
+  floors: ({ bolts, box, disk, ellipse, feet, hertzEllipse, polygon, wornAnnulus }, chapter) => {
     const tread = { mu: [0.5, 0.9], axis: 0.3 };
     const round = disk({ radius: 0.04, mu: 0.3 });
     const all = [
@@ -216,6 +219,7 @@ export const others = {
       disk({ radius: 0.1, ...tread }),
       hertzEllipse({ a: 0.3, b: 0.2, ...tread }),
       polygon({ corners: notch, ...tread }),
+      wornAnnulus({ inner: 0.03, radius: 0.04, mu: 0.3 }),
     ];
     for (const friction of all) {
       chapter.add(friction.mu, friction.radius, ...friction.centre);
@@ -229,6 +233,13 @@ export const others = {
         chapter.add(...wrenchOf(floor.wrench(twist)), ...floor.jacobian(twist));
         const { friction, carriedBy, evaluations, ...steady } = floor.steadyMotion(chapter.push(0.5, 0.05));
         chapter.add(...twistOf(steady.twist), ...wrenchOf(friction), carriedBy ?? -1, evaluations);
+        const body = { mass: chapter.positive(2), inertia: chapter.positive(0.01) };
+        const [from, push] = [chapter.twist(), chapter.push(9, 0.5)];
+        const end = floor.step(body, from, push, chapter.positive(0.05));
+        chapter.add(...twistOf(end.twist), ...wrenchOf(end.friction), end.carriedBy ?? -1, end.imbalance);
+        const surface = floor.limitSurface();
+        const nearest = surface.project(push, chapter.positive(0.1));
+        chapter.add(surface.gauge(push), ...twistOf(surface.normal(push)), ...wrenchOf(nearest));
       }
     };
     const plate = [0.1, 0.05, 0.3, 0.05, 0.3, 0.2, 0.1, 0.2];
@@ -248,7 +259,7 @@ export const others = {
         degrees: chapter.signed(180),
         surface: chapter.twist(),
       });
-      floorOf(feet([round, all[0], all[5], box({ a: 0.3, b: 0.2, mu: 0.4 })].map(foot)));
+      floorOf(feet([round, all[0], all[5], all[6], box({ a: 0.3, b: 0.2, mu: 0.4 })].map(foot)));
     }
   },
   law: ({ law }, chapter) => {

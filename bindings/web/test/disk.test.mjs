@@ -153,6 +153,7 @@ test("wrong numbers are refused in the kernel's words, motions never", () => {
     [() => puck.wrenches([1, 2, 3], 1, []), TypeError, /Float64Array of 3/],
     [() => puck.limitSurface(NaN), RangeError, /force limit/],
     [() => puck.limitSurface(1).ellipsoid(), RangeError, /tribos\/all/],
+    [() => puck.body({ mass: 1, inertia: 1, muStatic: 0.4 }), RangeError, /tribos\/all/],
     [() => puck.limitSurface(1).meridian(1), RangeError, /count must be a whole number/],
     [() => puck.modes(-1), RangeError, /inertia ratio/],
   ];

@@ -9,7 +9,7 @@ import type {
   Rest, RolloutOptions, Rows, Source, Step, Twist, Wrench,
 } from "tribos";
 import type {
-  AnyFriction, AnyPressure, Collision, ContactLaw, ContactOptions, Floor, Foot, Launch, LaunchOptions, Law, LawEntry,
+  AnyFriction, AnyPressure, Collision, ContactLaw, ContactOptions, Floor, FloorStep, Foot, Launch, LaunchOptions, Law, LawEntry,
   LawOptions, Plate, PolygonOptions, RoundBody, RoundFriction, RoundOptions, Sphere, SteadyMotion, Surface, Vector,
 } from "tribos/all";
 
@@ -36,7 +36,7 @@ const bounds: number = surface.gauge(surface.scaleToSurface(wrench)) + surface.s
 surface.contains(surface.wrench(twist));
 surface.meridian(9, bounds).set(surface.gauges(surface.wrenches(rows)));
 surface.ellipsoid().separate();
-const given: BodyOptions = { mass: 1, inertia: 1, load: 2, gravity: 9.81, model };
+const given: BodyOptions = { mass: 1, inertia: 1, load: 2, gravity: 9.81, model, muStatic: 0.4 };
 const body: Body = puck.body(given);
 const step: Step = body.step(twist, null, 0.01, 0.1);
 const pose: Pose = { x: 0, y: 0, angle: 0 };
@@ -65,7 +65,7 @@ for (const friction of [
   friction.free();
 }
 const outline: PolygonOptions = { corners: [[0, 0], [1, 0], [0, 1]], holes: [rows], centre: [0.3, 0.3], mu: 1 };
-for (const friction of [all.polygon(outline), all.box({ a: 1, b: 2, mu: 1 }), all.bar({ length: 1, mu: 1 })]) {
+for (const friction of [all.polygon(outline), all.box({ a: 1, b: 2, mu: 1 }), all.bar({ length: 1, mu: 1 }), all.wornAnnulus({ ...options, inner: 0.01 })]) {
   friction.limitSurface(1);
 }
 all.points({ points: [[0, 0, 1], [1, 0, 1]], law });
@@ -77,6 +77,8 @@ const steady: SteadyMotion = tread.steadyMotion(1, [belt, { corners: rows }], wr
 const floor: Floor = all.hertzEllipse({ a: 1, b: 2, mu: 1 }).onSurfaces(1, [belt]);
 const foot: Foot = { friction: all.bolts({ count: 6, radius: 1, mu: 1 }), load: 1, place: [0, 0], surface: steady.twist };
 all.feet([foot, { ...foot, degrees: 30 }]).steadyMotion(floor.wrench(steady.twist)).carriedBy?.toFixed();
+const after: FloorStep = floor.step(body, twist, null, 0.01 + body.muStatic);
+floor.patch.limitSurface(after.imbalance).gauge(floor.limitSurface().project(after.friction));
 const thrown: RoundBody = ring.body(given);
 const wanted: LaunchOptions = { ...pose, maxSpeed: 3, maxSpin: 20, turns: "exact", symmetry: 2, most: 3 };
 const launches: Launch[] = thrown.launches(wanted);

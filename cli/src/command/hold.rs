@@ -6,7 +6,7 @@ use super::wrench::{centre, patches};
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::fmt::Write;
-use tribos::friction::{Area, Coefficients, Patch, StictionTest};
+use tribos::friction::{Area, Coefficients, ContactRadius, Patch, StictionTest};
 use tribos::record::json_number;
 use tribos_core::holding::{Stiction, StictionBounds};
 use tribos_core::presliding::Presliding;
@@ -38,9 +38,10 @@ pub struct Arguments {
     /// Load [N].
     #[arg(long, value_parser = number::not_negative, allow_negative_numbers = true)]
     load: f64,
-    /// Radius of a round patch [m] [default: 1].
-    #[arg(long, value_parser = number::positive, allow_negative_numbers = true)]
-    radius: Option<f64>,
+    /// Radius of a round patch [m], or what makes it of the load, such as hertz:modulus=1e6,radius=0.01 [default: 1].
+    #[arg(long, value_name = "R", value_parser = number::radius, allow_negative_numbers = true,
+          long_help = number::radius_help("Radius of a round patch [m], or what makes it of the load [default: 1]."))]
+    radius: Option<ContactRadius>,
     /// Force of the push on the body at the origin of the patch [N].
     #[arg(long, value_name = "X,Y", value_parser = force, allow_hyphen_values = true, default_value = "0,0")]
     force: [f64; 2],
@@ -109,7 +110,7 @@ impl Arguments {
             ));
         }
         let mu_d = self.mu_d.unwrap_or(self.mu_s);
-        let radius = self.radius.unwrap_or(1.0);
+        let radius = self.radius.map_or(Ok(1.0), |radius| radius.at(self.load))?;
         let area = Area::named(&self.patch, radius, self.centre)?;
         let contact = StictionTest::new(&area, [self.mu_s, mu_d], self.load)?;
         let [x, y] = self.force;

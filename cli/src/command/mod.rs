@@ -25,6 +25,7 @@ mod number;
 mod onset;
 mod output_options;
 mod overview;
+mod packing;
 pub(crate) mod progress;
 mod push;
 mod reproduce;
@@ -68,7 +69,7 @@ pub fn program() -> clap::Command {
 }
 
 /// What `--help` of a command begins with: the documentation of its arguments.
-fn documentation() -> [(&'static str, StyledStr); 23] {
+fn documentation() -> [(&'static str, StyledStr); 24] {
     fn of<A: clap::Args>() -> StyledStr {
         let command = A::augment_args(clap::Command::new(""));
         let text = command.get_long_about().or(command.get_about());
@@ -90,6 +91,7 @@ fn documentation() -> [(&'static str, StyledStr); 23] {
         ("eval", of::<eval::Arguments>()),
         ("export", of::<export::Arguments>()),
         ("measure", of::<measure::Arguments>()),
+        ("packing", of::<packing::Arguments>()),
         ("golden", of::<golden::Arguments>()),
         ("sweep", of::<sweep::Arguments>()),
         ("reproduce", of::<reproduce::Arguments>()),
@@ -160,6 +162,8 @@ pub enum Command {
     Deposit(deposit::Arguments),
     /// Stress, fabric, correlations, force chains of a packing.
     Measure(measure::Arguments),
+    /// What a file of spheres is taken for; the same spheres in another format.
+    Packing(packing::Arguments),
     /// Parameters of a friction law from measurements, with their standard errors.
     Fit(fit::Arguments),
     /// Contact problems of other programs (FCLib, Siconos): impulses at all contacts.
@@ -200,6 +204,7 @@ impl Command {
             Self::View(arguments) => arguments.execute(),
             Self::Deposit(arguments) => arguments.execute(),
             Self::Measure(arguments) => arguments.execute(),
+            Self::Packing(arguments) => arguments.execute(),
             Self::Fit(arguments) => arguments.execute(),
             Self::Contact(arguments) => arguments.execute(),
             Self::Eval(arguments) => arguments.execute(),

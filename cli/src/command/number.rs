@@ -5,7 +5,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::num::NonZeroU32;
 use std::ops::RangeInclusive;
 use std::time::Duration;
-use tribos::friction::{Coefficients, FrictionError};
+use tribos::friction::{Coefficients, ContactRadius, FrictionError};
 use tribos_core::Real;
 
 /// A finite number.
@@ -28,6 +28,18 @@ pub fn not_negative(text: &str) -> Result<f64, String> {
 pub fn coefficients(text: &str) -> Result<Coefficients, String> {
     text.parse()
         .map_err(|error: FrictionError| error.to_string())
+}
+
+/// The radius of a contact, or what makes it of the load.
+pub fn radius(text: &str) -> Result<ContactRadius, String> {
+    text.parse()
+        .map_err(|error: FrictionError| error.to_string())
+}
+
+/// What a radius may be, for the longer help.
+pub fn radius_help(first: &str) -> String {
+    let all = ContactRadius::SYNTAX.map(|(syntax, meaning)| format!("{syntax}: {meaning}"));
+    format!("{first}\n\n{}", all.join("; "))
 }
 
 /// A number of seconds ≥ 0.

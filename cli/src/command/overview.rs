@@ -23,7 +23,7 @@ pub const GROUPS: [(&str, &[&str]); 6] = [
     (
         "Bodies, powders, atoms",
         &[
-            "run", "view", "inverse", "deposit", "measure", "contact", "eval", "export",
+            "run", "view", "inverse", "deposit", "packing", "measure", "contact", "eval", "export",
         ],
     ),
     ("What a run needs", &["scene", "explain"]),

@@ -3,7 +3,7 @@
 use super::digits::shown;
 use super::hold::{Format, force};
 use super::number;
-use super::wrench::{centre, patches};
+use super::wrench::{centre, load, patches};
 use crate::failure::Failure;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -38,9 +38,9 @@ pub struct Arguments {
     #[arg(long, default_value = "1", value_name = "MU[,MU_Y[,AXIS]]", value_parser = number::coefficients,
           allow_hyphen_values = true)]
     coefficient: Coefficients,
-    /// Load [N].
-    #[arg(long, default_value = "1", value_parser = number::positive, allow_negative_numbers = true)]
-    load: f64,
+    /// Load [N] [default: the sum of the column load of feet, else 1].
+    #[arg(long, value_parser = number::positive, allow_negative_numbers = true)]
+    load: Option<f64>,
     /// Radius of a round patch [m].
     #[arg(long, default_value = "1", value_parser = number::positive, allow_negative_numbers = true)]
     radius: f64,
@@ -117,7 +117,7 @@ impl Arguments {
                 }
                 Ok(Floor::feet_of(
                     file,
-                    self.coefficient.largest() * self.load,
+                    self.coefficient.largest() * load(self.load, &self.patch)?,
                 )?)
             }
             patch => {
@@ -125,7 +125,7 @@ impl Arguments {
                 Ok(Floor::under(
                     &area,
                     &self.coefficient,
-                    self.load,
+                    load(self.load, &self.patch)?,
                     &surfaces,
                 )?)
             }

@@ -1,12 +1,12 @@
 //! `tribos surface`: the limit surface of a patch as a table and a picture; pushes and their motions.
 
 use super::fit::log::TableArguments;
-use super::wrench::{centre, patches};
+use super::wrench::{centre, load, patches};
 use super::{digits, file, number, spool};
 use crate::failure::Failure;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
-use tribos::friction::{Area, Coefficients, Patch};
+use tribos::friction::{Area, Coefficients, ContactRadius, Patch};
 use tribos::record::Rows;
 use tribos::record::{number as shortest, series_csv, write_atomically};
 use tribos_core::Real;
@@ -38,12 +38,13 @@ pub struct Arguments {
     #[arg(long, default_value = "1", value_name = "MU[,MU_Y[,AXIS]]", value_parser = number::coefficients,
           allow_hyphen_values = true)]
     coefficient: Coefficients,
-    /// Load [N].
-    #[arg(long, default_value = "1", value_parser = number::positive, allow_negative_numbers = true)]
-    load: f64,
-    /// Radius of a round patch [m].
-    #[arg(long, default_value = "1", value_parser = number::positive, allow_negative_numbers = true)]
-    radius: f64,
+    /// Load [N] [default: the sum of the column load of feet, else 1].
+    #[arg(long, value_parser = number::positive, allow_negative_numbers = true)]
+    load: Option<f64>,
+    /// Radius of a round patch [m], or what makes it of the load, such as hertz:modulus=1e6,radius=0.01.
+    #[arg(long, default_value = "1", value_name = "R", value_parser = number::radius, allow_negative_numbers = true,
+          long_help = number::radius_help("Radius of a round patch [m], or what makes it of the load."))]
+    radius: ContactRadius,
     /// CSV file with columns `force_x,force_y,torque`, one push a line (`-` for standard input).
     #[arg(long, value_name = "FILE", conflicts_with = "points")]
     pushes: Option<PathBuf>,
@@ -114,7 +115,9 @@ impl Arguments {
                 file::refuse_input(name, output, input)?;
             }
         }
-        if matches!(self.patch, Patch::Flat(_) | Patch::Points(_)) && self.radius != 1.0 {
+        if matches!(self.patch, Patch::Flat(_) | Patch::Points(_))
+            && self.radius != ContactRadius::Given(1.0)
+        {
             return Err(Failure::input(
                 "a patch of straight edges, triangles or points has its own size: leave out --radius",
             ));
@@ -130,13 +133,14 @@ impl Arguments {
                 "a page and a table both read the pushes: give them as a file",
             ));
         }
-        let limit = self.coefficient.largest() * self.load;
+        let load = load(self.load, &self.patch)?;
+        let limit = self.coefficient.largest() * load;
         if limit <= 0.0 {
             return Err(Failure::input(
                 "--coefficient 0 carries nothing: give one above 0",
             ));
         }
-        let area = Area::named(&self.patch, self.radius, self.centre)?;
+        let area = Area::named(&self.patch, self.radius.at(load)?, self.centre)?;
         let set = self.coefficient.on(area)?.limit_surface(limit)?;
         if let Some(path) = &self.picture {
             draw(path, &self.patch, &*set)?;

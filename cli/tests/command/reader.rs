@@ -75,6 +75,11 @@ pub fn prepare(folder: &Path) -> Outcome {
         disk,0.2,0.25,0.02,-0.2,0,0\ndisk,-0.2,0.25,0.02,-0.2,0,0\n\
         disk,0.2,-0.25,0.02,0.2,0,0\ndisk,-0.2,-0.25,0.02,0.2,0,0\n";
     fs::write(folder.join("robot.csv"), robot)?;
+    fs::write(folder.join("plain.xyz"), "2\n\nSi 0 0 0\nSi 0 0 1\n")?;
+    fs::write(
+        folder.join("grains.csv"),
+        "x,y,z,R_eq\n0,0,0,0.002\n0,0,0.004,0.002\n",
+    )?;
     let face = "x1,y1,p1,x2,y2,p2,x3,y3,p3\n0,0,1,0.1,0,2,0,0.1,0\n";
     fs::write(folder.join("face.csv"), face)?;
     let pushes = "force_x,force_y,torque\n100,20,5\n300,0,-10\n";

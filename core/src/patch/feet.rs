@@ -17,6 +17,7 @@ use nalgebra::Vector2;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[repr(C)]
 pub struct PatchPart<R, P> {
     /// The patch.
     pub patch: P,
@@ -32,7 +33,8 @@ pub struct PatchPart<R, P> {
 /// *Units*: length. *Accuracy*: that of the feet times R over the radius of the smallest one, with R the
 /// distance within which all lie, or that of the common centre from the origin if it is longer: places are
 /// rounded in units of R (feet of 1e-6 m one metre from the origin: 1e-10). The torque of a body that hardly
-/// turns has that of μN R, not of itself. *Cost*: that of all feet.
+/// turns has that of μN R, not of itself. Feet below 1e-6 R may have a limit surface whose search does not end, which is NaN:
+/// they are points. *Cost*: that of all feet.
 ///
 /// ```
 /// use tribos_core::coupling::flat::ShapeFriction;

@@ -186,7 +186,11 @@ fn lugre<R: Real + 'static>(
     Ok(Box::new(LuGre::new(parameters)?.steady_per_load(load)?))
 }
 
-const fn needed(name: &'static str, unit: &'static str, meaning: &'static str) -> LawParameter {
+pub(super) const fn needed(
+    name: &'static str,
+    unit: &'static str,
+    meaning: &'static str,
+) -> LawParameter {
     LawParameter {
         name,
         unit,
@@ -195,7 +199,7 @@ const fn needed(name: &'static str, unit: &'static str, meaning: &'static str) -
     }
 }
 
-const fn optional(
+pub(super) const fn optional(
     name: &'static str,
     unit: &'static str,
     meaning: &'static str,

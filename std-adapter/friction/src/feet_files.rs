@@ -49,11 +49,11 @@ struct FootRow {
     values: [f64; OPTIONAL.len()],
 }
 
-/// The feet of a file, with what `of` makes of each.
+/// The feet of a file, with what `of` makes of each, and its columns.
 fn rows<T>(
     path: &Path,
     mut of: impl FnMut(FootRow) -> Result<T, FrictionError>,
-) -> Result<Vec<T>, FrictionError> {
+) -> Result<(Vec<T>, &'static [&'static str]), FrictionError> {
     let mut columns: &'static [&'static str] = &[];
     let opened = Rows::open(path, |header| {
         let bits = OPTIONAL.iter().enumerate();
@@ -63,7 +63,10 @@ fn rows<T>(
         columns
     });
     let refused = |error: TableError| FrictionError::Syntax(error.to_string());
-    let mut rows = opened.map_err(refused)?;
+    let mut rows = opened.map_err(|error| {
+        let names = OPTIONAL.map(|(name, _)| name).join(", ");
+        FrictionError::Syntax(format!("{error}; beside them there may be {names}"))
+    })?;
     let mut all = Vec::new();
     let mut numbers = vec![0.0; columns.len() - 1];
     while rows.next(&mut numbers).map_err(refused)?.is_some() {
@@ -85,7 +88,7 @@ fn rows<T>(
             return Err(refused(rows.refusal(&format!("more than {MOST} feet"))));
         }
     }
-    Ok(all)
+    Ok((all, columns))
 }
 
 impl FootRow {
@@ -110,7 +113,7 @@ impl FootRow {
 /// The feet of a file as one area, as if all stood on one surface: what they carry is spread in proportion to load times
 /// coefficient.
 pub(super) fn feet<R: Precision>(path: &Path) -> Result<Flat<R>, FrictionError> {
-    let parts = rows(path, |row| {
+    let (parts, _) = rows(path, |row| {
         let [_, degrees, load, ..] = row.values;
         let mu = row.coefficients()?;
         let turn = quarters(degrees).map(R::from_f64);
@@ -126,12 +129,19 @@ pub(super) fn feet<R: Precision>(path: &Path) -> Result<Flat<R>, FrictionError> 
     Ok(Flat::Feet(made.map_err(whole)?))
 }
 
+/// The sum of the loads of a file of feet, in N; `None` if it has no column `load`.
+#[doc(hidden)]
+pub fn load_of_feet(path: &Path) -> Result<Option<f64>, FrictionError> {
+    let (loads, columns) = rows(path, |row| Ok(row.values[2]))?;
+    Ok(columns.contains(&"load").then(|| loads.iter().sum()))
+}
+
 impl Floor {
     /// The feet of a CSV file, with columns `patch,x,y` and, where they differ, `radius` (of round ones), `angle_deg`,
     /// `load`, `mu`, `mu_across` and the motion of the surface, `velocity_x,velocity_y,spin`, in SI units. Loads and
     /// coefficients share `limit`, what all carry together, in proportion to their products.
     pub fn feet_of(path: &Path, limit: f64) -> Result<Self, FrictionError> {
-        let rows = rows(path, |row| {
+        let (rows, _) = rows(path, |row| {
             Ok((row.area::<f64>()?, row.coefficients()?, row))
         })?;
         let strength = |(_, mu, row): &(Area, Coefficients, FootRow)| mu.largest() * row.values[2];

@@ -1,6 +1,6 @@
 //! Local laws by name: `NAME:key=value,…`.
 
-use super::catalogue::{LAWS, LawConstructor, LawEntry, MOST_PARAMETERS, find};
+use super::catalogue::{LAWS, LawConstructor, LawEntry, LawParameter, MOST_PARAMETERS, find};
 use super::refusal::finite_number;
 use super::{FrictionError, LARGEST_EXPONENT, Precision};
 use std::fmt::{self, Write as _};
@@ -108,7 +108,7 @@ impl Law {
             _ => FrictionError::Parameters {
                 law: self.entry.name,
                 error,
-                needs: needs(self.entry),
+                needs: needs(self.entry.name, self.entry.parameters),
             },
         })
     }
@@ -162,7 +162,7 @@ impl FromStr for Law {
     fn from_str(text: &str) -> Result<Self, FrictionError> {
         let (name, list) = text.split_once(':').unwrap_or((text, ""));
         let (entry, maker) = local(name.trim())?;
-        let values = read(entry, list)?;
+        let values = read(entry.name, entry.parameters, list)?;
         Ok(Self {
             entry,
             maker,
@@ -197,23 +197,24 @@ fn local(name: &str) -> Result<(&'static LawEntry, LawConstructor), FrictionErro
     Ok((entry, maker))
 }
 
-/// One value for each parameter, in their order.
-fn read(entry: &'static LawEntry, list: &str) -> Result<[f64; MOST_PARAMETERS], FrictionError> {
-    let mut given = [None; MOST_PARAMETERS];
+/// One value for each parameter of `name`, in their order, from `key=value, ...`.
+pub(super) fn read<const N: usize>(
+    name: &'static str,
+    parameters: &[LawParameter],
+    list: &str,
+) -> Result<[f64; N], FrictionError> {
+    let mut given = [None; N];
     for item in list.split(',').filter(|item| !item.trim().is_empty()) {
         let (key, value) = item.split_once('=').ok_or_else(|| {
             FrictionError::Syntax(format!("`{item}` is not of the form key=value"))
         })?;
         let key = key.trim();
-        let names = || entry.parameters.iter().map(|parameter| parameter.name);
+        let names = || parameters.iter().map(|parameter| parameter.name);
         let index = names().position(|name| name == key).ok_or_else(|| {
             let meant = super::text::nearest(key, names())
                 .map_or("; ".into(), |near| format!("; did you mean `{near}`? "));
-            FrictionError::Syntax(format!(
-                "{} has no `{key}`{meant}{}",
-                entry.name,
-                needs(entry)
-            ))
+            let needs = needs(name, parameters);
+            FrictionError::Syntax(format!("{name} has no `{key}`{meant}{needs}"))
         })?;
         let number =
             finite_number(value).map_err(|cure| FrictionError::Syntax(format!("{key}: {cure}")))?;
@@ -224,19 +225,20 @@ fn read(entry: &'static LawEntry, list: &str) -> Result<[f64; MOST_PARAMETERS], 
             return Err(FrictionError::Syntax(format!("`{key}` is given twice")));
         }
     }
-    let mut values = [0.0; MOST_PARAMETERS];
-    for ((slot, given), parameter) in values.iter_mut().zip(given).zip(entry.parameters) {
+    let mut values = [0.0; N];
+    for ((slot, given), parameter) in values.iter_mut().zip(given).zip(parameters) {
         *slot = given.or(parameter.default).ok_or_else(|| {
-            FrictionError::Syntax(format!("`{}` is missing; {}", parameter.name, needs(entry)))
+            let needs = needs(name, parameters);
+            FrictionError::Syntax(format!("`{}` is missing; {needs}", parameter.name))
         })?;
     }
     Ok(values)
 }
 
 /// "stribeck needs mu_s, mu_d, vs [m/s] and may have delta, k [s/m]".
-fn needs(entry: &LawEntry) -> String {
+fn needs(name: &str, parameters: &[LawParameter]) -> String {
     let list = |optional: bool| -> Vec<String> {
-        let chosen = entry.parameters.iter();
+        let chosen = parameters.iter();
         chosen
             .filter(|parameter| parameter.default.is_some() == optional)
             .map(|parameter| match parameter.unit {
@@ -245,7 +247,7 @@ fn needs(entry: &LawEntry) -> String {
             })
             .collect()
     };
-    let mut text = format!("{} needs {}", entry.name, list(false).join(", "));
+    let mut text = format!("{name} needs {}", list(false).join(", "));
     if !list(true).is_empty() {
         let _ = write!(text, " and may have {}", list(true).join(", "));
     }

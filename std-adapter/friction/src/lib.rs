@@ -40,6 +40,7 @@ mod area_friction;
 mod catalogue;
 mod coefficients;
 mod contact_friction;
+mod contact_radius;
 #[cfg(feature = "scenes")]
 mod feet_files;
 #[cfg(feature = "scenes")]
@@ -70,6 +71,10 @@ pub use catalogue::{LawConstructor, find};
 pub use coefficients::Coefficients;
 #[doc(hidden)]
 pub use contact_friction::{AnyContactFriction, ContactVisitor};
+pub use contact_radius::ContactRadius;
+#[cfg(feature = "scenes")]
+#[doc(hidden)]
+pub use feet_files::load_of_feet;
 #[doc(hidden)]
 pub use flat::Flat;
 pub use flat::FlatPatch;

@@ -76,10 +76,13 @@ impl Patch {
     pub const SYNTAX: &[(&str, &str)] = &with_flat_ones([
         ("disk", "uniform pressure"),
         ("ring", "all load on the rim"),
-        ("annulus:INNER", "uniform from INNER, in radii, to the rim"),
+        (
+            "annulus:INNER",
+            "uniform from INNER, a share of the radius, to the rim",
+        ),
         (
             "worn-annulus:INNER",
-            "1/r from INNER, in radii, to the rim, as worn clutches and thrust bearings",
+            "1/r from INNER, a share of the radius, to the rim, as worn clutches and thrust bearings",
         ),
         ("hertz", "sqrt(1 - r^2)"),
         ("punch", "1/sqrt(1 - r^2)"),

@@ -47,6 +47,8 @@ enum Kind {
     Round {
         dry: Box<dyn BoxedDryFriction<f64>>,
         radius: f64,
+        /// The same as one of any shape.
+        flat: Box<Flat<f64>>,
     },
     Flat(Flat<f64>),
     Ellipsoid {
@@ -63,6 +65,7 @@ impl LimitSurfaces {
             Area::Round(patch, radius) => Kind::Round {
                 dry: DryRound::new(patch)?.held(),
                 radius: *radius,
+                flat: Box::new(area.clone().into_flat()?),
             },
             Area::Flat(flat) => Kind::Flat(flat.clone()),
         }))
@@ -79,7 +82,7 @@ impl LimitSurfaces {
 
     fn boxed(&self, force_limit: f64) -> Result<Box<dyn FrictionSet<f64> + '_>, FrictionError> {
         Ok(match &self.0 {
-            Kind::Round { dry, radius } => {
+            Kind::Round { dry, radius, .. } => {
                 Box::new(RoundLimitSurface::new(&**dry, force_limit, *radius)?)
             }
             Kind::Flat(flat) => Box::new(ShapeLimitSurface::new(flat, force_limit)?),
@@ -106,7 +109,7 @@ impl LimitSurfaces {
         &'a self,
         force_limits: &'a [f64],
     ) -> Result<SurfaceBatch<'a>, FrictionError> {
-        let (Kind::Round { dry, radius }, [_, _, ..]) = (&self.0, force_limits) else {
+        let (Kind::Round { dry, radius, .. }, [_, _, ..]) = (&self.0, force_limits) else {
             return Ok(SurfaceBatch::of_runs(self.runs(force_limits)?));
         };
         let is_wrong = |limit: &&f64| !(**limit >= 0.0 && limit.is_finite());
@@ -137,18 +140,20 @@ impl LimitSurfaces {
         })
     }
 
-    /// The lowest and the highest torque with a force, NaN for a force that is not carried; for straight
-    /// edges, meshes and points.
+    /// The lowest and the highest torque about the origin with a force, NaN for a force that is not carried.
     pub fn torque_limits(
         &self,
         force_limit: f64,
         force: [f64; 2],
     ) -> Result<[f64; 2], FrictionError> {
-        let Kind::Flat(flat) = &self.0 else {
-            return Err(FrictionError::Unserved(
-                "torque limits are for straight edges and points: on a round patch use the gauge"
-                    .into(),
-            ));
+        let flat = match &self.0 {
+            Kind::Flat(flat) => flat,
+            Kind::Round { flat, .. } => flat,
+            Kind::Ellipsoid { .. } => {
+                return Err(FrictionError::Unserved(
+                    "an ellipsoid has no torque limits: ask the exact set".into(),
+                ));
+            }
         };
         let surface = ShapeLimitSurface::new(flat, force_limit)?;
         Ok(surface.torque_limits(force).unwrap_or([f64::NAN; 2]))

@@ -55,6 +55,7 @@ fn every_key_sets_its_field() {
                         "patch" => "box:0.2x0.1",
                         "potential" => "sutton-chen:Ag",
                         "sizes" => "normal:0.1",
+                        "columns" => "x,y,z,radius",
                         other => unreachable!("the form {other}"),
                     };
                     format!("\"{text}\"")
@@ -97,7 +98,8 @@ fn every_key_sets_its_field() {
                         "drive",
                         "lattice_expansion",
                         "dimension",
-                        "shear_rate"
+                        "shear_rate",
+                        "columns"
                     ]
                     .contains(&key.name),
                     "{text}"

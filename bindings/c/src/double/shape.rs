@@ -1,10 +1,11 @@
-//! Patches of any shape: disks and ellipses under four pressures, polygons, each with one or two coefficients.
+//! Patches of any shape: disks and ellipses under four pressures, polygons, bars, points, each with one or two
+//! coefficients; worn annuli; and several shapes as one.
 //!
-//! A shape is prepared once. Twists and wrenches refer to the origin of its coordinates. A shape of a polygon
-//! does not contain its edges: their memory must stay valid and unchanged for as long as the shape or a copy is
-//! used.
+//! A shape is prepared once. Twists and wrenches refer to the origin of its coordinates. A shape does not contain
+//! the edges of a polygon, its points or the shapes that it is made of: their memory must stay valid and unchanged
+//! for as long as the shape or a copy is used.
 
-use super::nodes::tribos_point_f64;
+use super::nodes::{tribos_node_f64, tribos_point_f64};
 use super::polygon::{Patch, tribos_polygon_f64};
 use super::surface::{projected, tribos_projection_f64};
 use super::vectors::{tribos_jacobian_f64, tribos_twist_f64, tribos_wrench_f64};
@@ -12,15 +13,22 @@ use crate::choice::pressure_of;
 use crate::memory::{answer, read, slice};
 use crate::status::tribos_status;
 use crate::table::{build, held, lent};
+use core::mem::offset_of;
 use nalgebra::Vector2;
+use tribos_core::coupling::WornAnnulus;
 use tribos_core::coupling::coulomb::{CoulombDisk, CoulombHertz, CoulombParaboloid, CoulombPunch};
-use tribos_core::coupling::flat::{Hessian, Motion, PatchShape, Reduced, ShapeFriction};
+use tribos_core::coupling::flat::{Hessian, Motion, PatchShape, PointLoad, Reduced, ShapeFriction};
 use tribos_core::limit_surface::{FrictionSet, ShapeLimitSurface};
-use tribos_core::patch::affine_image::{AffineImage, AffineMap};
+use tribos_core::patch::affine_image::{AffineImage, AffineMap, image_of};
 use tribos_core::patch::anisotropic::{AnisotropicPatch, AxisCoefficients};
+use tribos_core::patch::bar::Bar;
 use tribos_core::patch::ellipse::{Ellipse, EllipsePressure};
-use tribos_core::patch::outline::Edge;
+use tribos_core::patch::feet::{CompoundPatch, PatchPart};
+use tribos_core::patch::nodes::{Node, NodePatch, NodeSlice};
+use tribos_core::patch::outline::{Edge, LinearPressure};
+use tribos_core::patch::points::PointPatch;
 use tribos_core::patch::round::RoundPatch;
+use tribos_core::real::Real;
 
 /// A patch of any shape, built by one of the functions tribos_shape_. Its content is opaque. It may be copied
 /// and moved, but not to a program with another version of the library.
@@ -37,26 +45,73 @@ lent! {
     tribos_shape_f64 for Shape;
 }
 
-/// Edges in memory of the caller.
+/// One of several shapes under a body, and what it carries.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct tribos_part_f64 {
+    /// Its patch, in the coordinates of the body.
+    pub shape: *const tribos_shape_f64,
+    /// Its coefficient, the larger one of two, times its load; not negative. Only ratios count.
+    pub limit: f64,
+}
+
+/// A part of the kernel.
+type Part = PatchPart<f64, &'static Shape>;
+
+// The kernel's parts have the same layout, and a shape is built at the start of its memory.
+const _: () = {
+    assert!(size_of::<Part>() == size_of::<tribos_part_f64>());
+    assert!(align_of::<Part>() == align_of::<tribos_part_f64>());
+    assert!(offset_of!(Part, patch) == offset_of!(tribos_part_f64, shape));
+    assert!(offset_of!(Part, load) == offset_of!(tribos_part_f64, limit));
+};
+
+/// Edges or points in memory of the caller.
 #[derive(Clone, Copy)]
-pub(crate) struct Edges {
-    first: *mut Edge<f64>,
+pub(crate) struct Lent<T> {
+    first: *mut T,
     count: usize,
 }
 
-impl AsRef<[Edge<f64>]> for Edges {
+impl<T> Lent<T> {
     #[inline(always)]
-    fn as_ref(&self) -> &[Edge<f64>] {
-        // SAFETY: the contract of a shape keeps the edges valid.
+    unsafe fn new(first: *mut T, count: usize) -> Result<Self, tribos_status> {
+        slice(first.cast_const(), count)?;
+        Ok(Self { first, count })
+    }
+}
+
+impl<T> AsRef<[T]> for Lent<T> {
+    #[inline(always)]
+    fn as_ref(&self) -> &[T] {
+        // SAFETY: the contract of a shape keeps them valid.
         unsafe { core::slice::from_raw_parts(self.first, self.count) }
     }
 }
 
-impl AsMut<[Edge<f64>]> for Edges {
+impl<T> AsMut<[T]> for Lent<T> {
     #[inline(always)]
-    fn as_mut(&mut self) -> &mut [Edge<f64>] {
+    fn as_mut(&mut self) -> &mut [T] {
         // SAFETY: as above; only the build of two coefficients writes.
         unsafe { core::slice::from_raw_parts_mut(self.first, self.count) }
+    }
+}
+
+/// Points and the sum of their weights.
+#[derive(Clone, Copy)]
+pub(crate) struct Points {
+    nodes: Lent<Node<f64>>,
+    total_weight: f64,
+}
+
+impl NodePatch<f64> for Points {
+    #[inline(always)]
+    fn nodes(&self) -> &[Node<f64>] {
+        self.nodes.as_ref()
+    }
+    #[inline(always)]
+    fn total_weight(&self) -> f64 {
+        self.total_weight
     }
 }
 
@@ -67,8 +122,12 @@ pub(crate) enum Kind {
     Hertz(RoundPatch<f64, CoulombHertz>),
     Punch(RoundPatch<f64, CoulombPunch>),
     Paraboloid(RoundPatch<f64, CoulombParaboloid>),
+    Worn(RoundPatch<f64, WornAnnulus<f64>>),
     Ellipse(Ellipse<f64>),
-    Polygon(Patch<Edges>),
+    Polygon(Patch<Lent<Edge<f64>>>),
+    Bar(Bar<f64>),
+    LeaningBar(Bar<f64, LinearPressure<f64>>),
+    Points(PointPatch<f64, Points>),
 }
 
 /// What is built in the caller's memory.
@@ -76,6 +135,7 @@ pub(crate) enum Kind {
 pub(crate) enum Shape {
     Alike(Kind),
     Axes(AnisotropicPatch<f64, Kind>),
+    Feet(CompoundPatch<'static, f64, &'static Self>),
 }
 
 /// A patch whose kind is known at run time.
@@ -99,18 +159,33 @@ macro_rules! by_kind {
             fn reduced_with_hessian(&self, motion: &Motion<f64>) -> (Reduced<f64>, Hessian<f64>) {
                 match self { $(Self::$kind(patch) => patch.reduced_with_hessian(motion),)* }
             }
+            fn nearest_point(&self, place: &Vector2<f64>) -> Option<PointLoad<f64>> {
+                match self { $(Self::$kind(patch) => patch.nearest_point(place),)* }
+            }
         }
     };
 }
 
-by_kind!(Kind, Disk Hertz Punch Paraboloid Ellipse Polygon);
-by_kind!(Shape, Alike Axes);
+by_kind!(Kind, Disk Hertz Punch Paraboloid Worn Ellipse Polygon Bar LeaningBar Points);
+by_kind!(Shape, Alike Axes Feet);
 
 impl AffineImage<f64> for Kind {
     fn image(self, map: &AffineMap<f64>) -> Option<Self> {
         let (place, pressure) = match self {
             Self::Ellipse(patch) => return patch.image(map).map(Self::Ellipse),
             Self::Polygon(patch) => return patch.image(map).map(Self::Polygon),
+            Self::Bar(patch) => return patch.image(map).map(Self::Bar),
+            Self::LeaningBar(patch) => return patch.image(map).map(Self::LeaningBar),
+            Self::Points(patch) => {
+                let moved = patch.moved(map, |mut points| {
+                    for node in points.nodes.as_mut() {
+                        *node = image_of(map, node);
+                    }
+                    points
+                });
+                return Some(Self::Points(moved));
+            }
+            Self::Worn(_) => return None,
             Self::Disk(patch) => ((patch.centre(), patch.radius()), EllipsePressure::Uniform),
             Self::Hertz(patch) => ((patch.centre(), patch.radius()), EllipsePressure::Hertz),
             Self::Punch(patch) => ((patch.centre(), patch.radius()), EllipsePressure::FlatPunch),
@@ -123,7 +198,7 @@ impl AffineImage<f64> for Kind {
         let (centre, radius) = place;
         // Turned, moved and scaled it stays round; stretched it is an ellipse.
         if first.x == second.y && first.y == -second.x {
-            let scale = tribos_core::real::Real::hypot(first.x, first.y);
+            let scale = Real::hypot(first.x, first.y);
             return round(pressure, map.of(&centre).into(), radius * scale).ok();
         }
         let ellipse = Ellipse::new(centre.into(), [radius; 2], pressure).ok()?;
@@ -217,20 +292,94 @@ pub unsafe extern "C" fn tribos_shape_polygon_f64(
 ) -> tribos_status {
     build(shape, || {
         let given = read(polygon)?;
-        let first = given.edges.cast::<Edge<f64>>();
-        slice(first.cast_const(), given.count)?;
-        let edges = Edges {
-            first,
-            count: given.count,
-        };
+        let edges = Lent::new(given.edges.cast::<Edge<f64>>(), given.count)?;
         Ok::<_, tribos_status>(Shape::Alike(Kind::Polygon(given.patch(edges))))
+    })
+}
+
+/// An annulus about any centre under the pressure 1/r, as a clutch, a pivot or a thrust bearing that has worn in.
+/// Domain: a finite centre; 0 <= inner_ratio <= 0.999999; 0 < radius < inf.
+/// Accuracy, of coefficient x load, and x radius: 2e-15 (f32: 1e-6). Cost: 16 rings, at most 96.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_shape_worn_annulus_f64(
+    centre: *const tribos_point_f64,
+    inner_ratio: f64,
+    radius: f64,
+    shape: *mut tribos_shape_f64,
+) -> tribos_status {
+    build(shape, || {
+        let patch = RoundPatch::new(WornAnnulus::new(inner_ratio)?, place(centre)?, radius)?;
+        Ok::<_, tribos_status>(Shape::Alike(Kind::Worn(patch)))
+    })
+}
+
+/// A straight line that carries load: a blade, a skate, the edge of a box. The centre of pressure lies `lean` from
+/// its middle towards `to`: 0 under uniform pressure, which is linear else. Domain: finite, different ends;
+/// TRIBOS_STATUS_NEGATIVE beyond a sixth of the length, where the bar would lift off.
+/// Accuracy, of coefficient x load, and x radius: 3e-14 (f32: 4e-6).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_shape_bar_f64(
+    from: *const tribos_point_f64,
+    to: *const tribos_point_f64,
+    lean: f64,
+    shape: *mut tribos_shape_f64,
+) -> tribos_status {
+    build(shape, || {
+        let bar = Bar::new(place(from)?, place(to)?)?;
+        Ok::<_, tribos_status>(Shape::Alike(if lean == f64::ZERO {
+            Kind::Bar(bar)
+        } else {
+            Kind::LeaningBar(bar.with_centre_of_pressure(lean)?)
+        }))
+    })
+}
+
+/// Points that stay where they are: feet, spikes, the nodes of a rule. Domain: that of tribos_nodes_gauge_f64.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_shape_points_f64(
+    nodes: *mut tribos_node_f64,
+    count: usize,
+    shape: *mut tribos_shape_f64,
+) -> tribos_status {
+    build(shape, || {
+        let nodes = Lent::new(nodes.cast::<Node<f64>>(), count)?;
+        let total_weight = NodeSlice::new(nodes.as_ref())?.total_weight();
+        let points = PointPatch::new(Points {
+            nodes,
+            total_weight,
+        })?;
+        Ok::<_, tribos_status>(Shape::Alike(Kind::Points(points)))
+    })
+}
+
+/// Several shapes under one body as one, while all surfaces under them move alike: with coefficient x load or the
+/// force limit of a call the sum of all limits. Parts and their shapes stay where they are. Domain: limits with a
+/// finite, positive sum; TRIBOS_STATUS_CHOICE if a part is `shape` itself or several shapes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tribos_shape_feet_f64(
+    parts: *const tribos_part_f64,
+    count: usize,
+    shape: *mut tribos_shape_f64,
+) -> tribos_status {
+    build(shape, || {
+        for part in slice(parts, count)? {
+            let is_feet = matches!(held(part.shape)?, Shape::Feet(_));
+            if is_feet || core::ptr::eq(part.shape, shape) {
+                return Err(tribos_status::Choice);
+            }
+        }
+        Ok(Shape::Feet(CompoundPatch::new(slice(
+            parts.cast::<Part>(),
+            count,
+        )?)?))
     })
 }
 
 /// Gives a shape the coefficients `along` an axis of it and `across` that axis: tread, skates, grooved or brushed
 /// surfaces. The larger one is the coefficient, and the one in the force limit, of every call that follows.
-/// Rewrites the edges of a polygon: the polygon itself and copies are lost. Domain: positive, finite coefficients;
-/// an axis of any finite length but zero. TRIBOS_STATUS_AXES if the shape has two coefficients already;
+/// Rewrites the edges of a polygon and points: the polygon itself and copies are lost. Domain: positive, finite
+/// coefficients; an axis of any finite length but zero. TRIBOS_STATUS_AXES if the shape has two coefficients already;
+/// TRIBOS_STATUS_CHOICE for a worn annulus, and for several shapes, each of which takes its own;
 /// TRIBOS_STATUS_SEMI_AXES for an ellipse, stretched by the coefficients, of more than 1e6 to 1;
 /// TRIBOS_STATUS_RADIUS if the stretched patch vanishes in rounding, which loses the edges.
 #[unsafe(no_mangle)]
@@ -243,6 +392,7 @@ pub unsafe extern "C" fn tribos_shape_two_coefficients_f64(
     build(shape, || {
         let coefficients = AxisCoefficients::new([along, across], place(axis)?)?;
         match *held(shape.cast_const())? {
+            Shape::Alike(Kind::Worn(_)) | Shape::Feet(_) => Err(tribos_status::Choice),
             Shape::Alike(kind) => Ok(Shape::Axes(AnisotropicPatch::new(kind, coefficients)?)),
             Shape::Axes(_) => Err(tribos_status::Axes),
         }

@@ -36,8 +36,13 @@ fn calls(prototype: &str) -> String {
     let call = |is_null: &dyn Fn(usize) -> bool| {
         let value = |(i, argument): (usize, &&str)| match argument.contains('*') {
             true if is_null(i) => "0",
-            // Feet name their shapes.
-            true if argument.contains("tribos_foot_") => "feet",
+            // Feet and parts name their shapes.
+            true if ["_foot_", "_part_"]
+                .iter()
+                .any(|kind| argument.contains(kind)) =>
+            {
+                "feet"
+            }
             true => ones,
             false if argument.contains("inner_ratio") => "0.5",
             false => "1",
@@ -112,6 +117,45 @@ fn every_status_has_its_own_number_and_text() {
     }
     let in_header = header().matches("  TRIBOS_STATUS_").count();
     assert_eq!(in_header, tribos_status::all().len());
+}
+
+/// Bars, points, worn annuli, and several shapes as one.
+unsafe fn other_shapes(expect: &mut impl FnMut(tribos_status, tribos_status)) {
+    use tribos_status as S;
+    let point = |x| tribos_point_f64 { x, y: 0.0 };
+    let [mut shape, mut all] = [std::mem::zeroed::<tribos_shape_f64>(); 2];
+    let mut bar = |x, lean| tribos_shape_bar_f64(&point(0.0), &point(x), lean, &mut shape);
+    expect(bar(0.0, 0.0), S::Outline);
+    expect(bar(6.0, 1.1), S::Negative);
+    expect(bar(6.0, f64::NAN), S::NotFinite);
+    expect(bar(6.0, -1.0), S::Ok);
+    let mut points = |x, weight| {
+        let mut nodes =
+            [[0.0, 1.0], [x, weight]].map(|[x, weight]| tribos_node_f64 { x, y: 0.0, weight });
+        tribos_shape_points_f64(nodes.as_mut_ptr(), 2, &mut shape)
+    };
+    expect(points(0.0, 1.0), S::FeetInLine);
+    expect(points(1.0, -1.0), S::NodeWeight);
+    let mut worn = |ratio| tribos_shape_worn_annulus_f64(&point(0.0), ratio, 1.0, &mut shape);
+    expect(worn(1.0), S::InnerRatio);
+    expect(worn(0.5), S::Ok);
+    let two = |shape| tribos_shape_two_coefficients_f64(shape, 1.0, 2.0, &point(1.0));
+    expect(two(&mut shape), S::Choice);
+    let part = |shape, limit| tribos_part_f64 { shape, limit };
+    let mut feet = |limit| tribos_shape_feet_f64(&part(&shape, limit), 1, &mut all);
+    expect(feet(0.0), S::Unloaded);
+    expect(feet(-1.0), S::NodeWeight);
+    expect(feet(1.0), S::Ok);
+    let own = part(&raw const shape, 1.0);
+    expect(tribos_shape_feet_f64(&own, 1, &mut shape), S::Choice);
+    expect(
+        tribos_shape_feet_f64(&part(&all, 1.0), 1, &mut shape),
+        S::Choice,
+    );
+    let mut unbuilt = std::mem::zeroed::<tribos_shape_f64>();
+    let own = part(&raw const unbuilt, 1.0);
+    expect(tribos_shape_feet_f64(&own, 1, &mut unbuilt), S::NotBuilt);
+    expect(two(&mut all), S::Choice);
 }
 
 /// Shapes and feet.
@@ -357,6 +401,7 @@ fn every_refusal_is_told_by_its_status() {
         );
 
         shapes(&mut expect);
+        other_shapes(&mut expect);
 
         let mut power = |force_limit, spin_torque| {
             let set = tribos_ellipsoid_f64 {

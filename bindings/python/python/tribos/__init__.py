@@ -30,11 +30,13 @@ from tribos._gradients import (
 )
 from tribos._inverse import Launch, inverse
 from tribos._laws import Law, laws
+from tribos._loaded import LoadedFriction
 from tribos._log import Look, look
 from tribos._manifold import ContactForce, Manifold, SolverReport
 from tribos._modes import FixedPoint, Modes, modes
+from tribos._packing import Packing, read_packing
 from tribos._patches import *  # noqa: F403 - every patch
-from tribos._planar import PlanarBody, Rollout, Step
+from tribos._planar import PlanarBody, Rollout
 from tribos._push import (
     ConeEdge,
     Grip,
@@ -52,6 +54,7 @@ from tribos._scene import Scene, scene
 from tribos._slide import Motion, Rest, slide, slide_path
 from tribos._state import LuGre, RateState
 from tribos._states import Frame, Frames, State
+from tribos._step import Step
 from tribos._strokes import Strokes, strokes
 from tribos._surface import LimitSurface
 from tribos._sweep import cases, run_case, sweep
@@ -83,12 +86,14 @@ __all__ = [
     "LawFit",
     "LimitSurface",
     "LineContact",
+    "LoadedFriction",
     "Look",
     "LuGre",
     "Manifold",
     "Modes",
     "Motion",
     "MotionCone",
+    "Packing",
     "PlanarBody",
     "PlanarStepBy",
     "PlanarStepJacobian",
@@ -130,6 +135,7 @@ __all__ = [
     "planar_step_jacobian",
     "push",
     "push_along",
+    "read_packing",
     "resume",
     "run",
     "run_case",

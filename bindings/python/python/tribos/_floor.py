@@ -12,6 +12,7 @@ from tribos import _native
 from tribos._checks import number, pair, reals
 from tribos._frozen import Frozen
 from tribos._patches import Patch, feet_patch
+from tribos._step import Step
 from tribos._surface import LimitSurface
 
 Surface = tuple[ArrayLike, ArrayLike]
@@ -71,6 +72,17 @@ def steady(native: _native.Floor, push: ArrayLike) -> SteadyMotion:
     return SteadyMotion(np.array(twist), np.array(friction), carried, evaluations)
 
 
+def stepped(
+    native: _native.Floor,
+    motion: tuple[ArrayLike, ArrayLike],
+    body: tuple[float, float, float],
+    out: NDArray[Any] | None,
+) -> Step:
+    """A time step of bodies of one mass, inertia and length of step on feet."""
+    twists, friction, at_rest = native.step(*motion, body, out)
+    return Step(twists, friction, at_rest if at_rest.ndim else bool(at_rest))
+
+
 class Feet(Frozen):
     """A body on several feet, each with its load, its coefficient and its surface: made by `feet`.
 
@@ -128,6 +140,48 @@ class Feet(Frozen):
             Where no motion is steady, because the push is more than all feet carry.
         """
         return steady(self._handle, push)
+
+    def step(
+        self,
+        twists: ArrayLike,
+        pushes: ArrayLike,
+        dt: float,
+        *,
+        mass: float,
+        inertia: float,
+        out: NDArray[Any] | None = None,
+    ) -> Step:
+        """The motions after one time step under constant pushes, as `PlanarBody.step`.
+
+        The origin of the feet's coordinates is the foot of the centre of mass. A step that ends with feet at rest on
+        their surface has the motion of that surface to the last bit.
+
+        Parameters
+        ----------
+        twists, pushes
+            Velocities in m/s and spins in rad/s, and forces in N and torques in N m of all but friction, of shape (..., 3).
+        dt
+            Length of the step in s, above 0.
+        mass, inertia
+            Those of the body, in kg and kg m².
+        out
+            An array of floats for the twists.
+
+        Examples
+        --------
+        A parcel that is laid on a belt is taken along:
+
+        >>> import numpy as np, tribos
+        >>> cardboard = tribos.Friction(tribos.box(0.3, 0.2), mu=0.4)
+        >>> parcel = tribos.feet([(cardboard, 19.62, (0.0, 0.0), 0.0, (0.5, 0.0, 0.0))])
+        >>> twist = np.zeros(3)
+        >>> for steps in range(1, 100):
+        ...     step = parcel.step(twist, np.zeros(3), 0.01, mass=2.0, inertia=0.02, out=twist)
+        ...     if step.at_rest: break
+        >>> steps, twist.tolist()                                   # 0.5/(0.4 * 9.81) = 0.127 s
+        (13, [0.5, 0.0, 0.0])
+        """
+        return stepped(self._handle, (twists, pushes), (mass, inertia, dt), out)
 
     def limit_surface(self) -> LimitSurface:
         """All wrenches that the feet carry together while body and surfaces move as one."""

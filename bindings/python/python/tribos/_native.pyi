@@ -16,6 +16,7 @@ __all__ = [
     "Friction",
     "Law",
     "LimitSurface",
+    "LoadedFriction",
     "LuGre",
     "Manifold",
     "MujocoFeet",
@@ -285,6 +286,13 @@ class Floor:
     def steady_motion(
         self, push: list[float]
     ) -> tuple[list[float], list[float], int | None, int]: ...
+    def step(
+        self,
+        twists: ArrayLike,
+        pushes: ArrayLike,
+        body: tuple[float, float, float],
+        out: NDArray[Any] | None = None,
+    ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]: ...
 
 @final
 class Friction:
@@ -293,6 +301,17 @@ class Friction:
         self, twists: ArrayLike, load: ArrayLike, out: NDArray[Any] | None = None
     ) -> NDArray[Any]: ...
     def jacobian(
+        self, twists: ArrayLike, load: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+
+@final
+class LoadedFriction:
+    def __new__(cls, pressure: str, law: Law, radius: str) -> LoadedFriction: ...
+    def radius(self, load: float) -> list[float]: ...
+    def wrench(
+        self, twists: ArrayLike, load: ArrayLike, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]: ...
+    def slope_by_load(
         self, twists: ArrayLike, load: ArrayLike, out: NDArray[Any] | None = None
     ) -> NDArray[Any]: ...
 
@@ -506,6 +525,18 @@ class System:
     def forces(self) -> NDArray[np.float64]: ...
     def energies(self) -> tuple[list[float], list[list[float]]]: ...
     def state(self) -> tuple[Any, ...]: ...
+
+@final
+class PackingFile:
+    def __new__(
+        cls,
+        path: str,
+        columns: str | None,
+        periods: tuple[float | None, ...] | None,
+    ) -> PackingFile: ...
+    def arrays(self) -> dict[str, Any]: ...
+    def about(self) -> list[tuple[str, str]]: ...
+    def write(self, path: str) -> list[str]: ...
 
 @final
 class World:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -9,18 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from tribos import _native
 from tribos._checks import number, positive, reals
+from tribos._floor import Surface, stepped
 from tribos._friction import Friction
-
-
-class Step(NamedTuple):
-    """The end of a time step of many bodies."""
-
-    twists: Any
-    """Motions after the step, in m/s and rad/s, of shape (..., 3); zero to the last bit at rest."""
-    friction: Any
-    """Mean friction over the step, in N and N m, of shape (..., 3)."""
-    at_rest: Any
-    """Whether friction holds the body, of shape (...)."""
+from tribos._step import Step
 
 
 class Rollout(NamedTuple):
@@ -143,6 +135,7 @@ class PlanarBody:
         *,
         angle: ArrayLike = 0.0,
         load: ArrayLike | None = None,
+        surface: Iterable[Surface] | None = None,
         out: NDArray[Any] | None = None,
     ) -> Step:
         """The motions after one time step under constant pushes.
@@ -160,6 +153,10 @@ class PlanarBody:
             not matter to a round patch.
         load
             Normal force in N for this step; None for that of the bodies.
+        surface
+            Parts of the floor that move, as `Friction.wrench` takes them, along the axes of the patch; for bodies of one
+            mass, inertia and load that do not turn against it and have no `mu_s` of their own. A body at rest then has
+            the motion of the surface that holds it.
         out
             An array of floats for the twists, which may be the given ones.
 
@@ -177,7 +174,19 @@ class PlanarBody:
         ...     step = puck.step(twists, [0.0, 0.0, 0.0], dt=0.005, out=twists)
         >>> bool(step.at_rest.all()), float(abs(twists).max())
         (True, 0.0)
+
+        On two belts that run against each other it is turned, and stays where it is:
+
+        >>> belts = [([[0, 0], [1, 0]], [0.5, 0, 0]), ([[1, 0], [0, 0]], [-0.5, 0, 0])]
+        >>> twist = np.zeros(3)
+        >>> for _ in range(1000):
+        ...     twist = puck.step(twist, [0.0, 0.0, 0.0], dt=0.005, surface=belts).twists
+        >>> steady = puck.friction.steady_motion(0.17 * 9.81, belts)
+        >>> bool(abs(twist - steady.twist).max() < 1e-9)
+        True
         """
+        if surface is not None:
+            return self._on_surfaces(surface, (twists, pushes), (dt, angle, load), out)
         bodies = self._given(load, dt)
         patch = self.friction.patch._handle
         after, friction, at_rest = _native.planar_step(
@@ -236,6 +245,30 @@ class PlanarBody:
         bodies = self._given(load, dt)
         patch = self.friction.patch._handle
         return Rollout(*_native.planar_rollout(patch, self._surface, bodies, twists, pushes, poses))
+
+    def _on_surfaces(
+        self,
+        surface: Iterable[Surface],
+        motion: tuple[ArrayLike, ArrayLike],
+        given: tuple[ArrayLike, ArrayLike, ArrayLike | None],
+        out: NDArray[Any] | None,
+    ) -> Step:
+        """A step on a floor of several surfaces."""
+        dt, angle, load = given
+        if np.any(np.asarray(angle) != 0.0) or self.mu_s != self.friction.mu:
+            raise ValueError(
+                "surface is along the axes of the patch: angle must be 0, and mu_s that of sliding"
+            )
+        names = ("mass", "inertia", "dt", "load")
+        all_ = (self.mass, self.inertia, dt, self.load if load is None else load)
+        for name, value in zip(names, all_, strict=True):
+            if np.ndim(value):
+                raise ValueError(f"with surface, {name} must be one number")
+        mass, inertia, seconds, newtons = (
+            number(name, value) for name, value in zip(names, all_, strict=True)
+        )
+        floor = self.friction._floor(newtons, surface)
+        return stepped(floor, motion, (mass, inertia, seconds), out)
 
     def energy(self, twists: ArrayLike) -> Any:
         """Kinetic energy in J at twists of shape (..., 3)."""

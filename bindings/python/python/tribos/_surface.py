@@ -91,8 +91,7 @@ class LimitSurface(Frozen):
     def torque_limits(self, forces: ArrayLike, *, out: NDArray[Any] | None = None) -> Any:
         """The lowest and the highest torque about the origin that is carried with each force.
 
-        For polygons, bars, meshes and points; on round patches ValueError. Of a foot whose pressure is
-        not known, `any_pressure` has the limits.
+        Of a foot whose pressure is not known, `any_pressure` has the limits; an ellipsoid has none.
 
         Parameters
         ----------

@@ -77,7 +77,7 @@ from tribos._gradients import length_of
 from tribos._jax_arguments import Call
 from tribos._jax_manifold import manifold_friction
 from tribos._jax_pushing import push, push_along
-from tribos._planar import Step
+from tribos._step import Step
 
 __all__ = [
     "Journey",

@@ -58,7 +58,7 @@ from tribos._arguments import friction_in
 from tribos._checks import positive
 from tribos._friction import Friction
 from tribos._gradients import length_of
-from tribos._planar import Step
+from tribos._step import Step
 from tribos._torch_arguments import Call, rest_arguments
 from tribos._torch_manifold import manifold_friction
 

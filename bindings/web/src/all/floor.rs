@@ -6,12 +6,15 @@ use crate::friction::{row_of, row_of_twist, twist_of, wrench_of};
 use crate::patch::Patch;
 use alloc::format;
 use alloc::vec::Vec;
-use tribos_core::floor::{SteadyMotion, SteadyState};
+use tribos_core::contact::TimeStep;
+use tribos_core::floor::{FloorStep, SteadyMotion, SteadyState};
+use tribos_core::planar::PlanarBody;
+use tribos_core::twist::{Twist, Wrench};
 use tribos_friction::{Area, Coefficients, Floor, FootOnFloor, Surface};
 
 /// Numbers of a foot in a row: patch, radius, coefficient, load, place, angle in degrees, motion of the surface.
 pub const FOOT: usize = 10;
-/// Twist, friction, the foot that rests or −1, evaluations.
+/// Twist, friction, the foot that rests or −1, evaluations or imbalance.
 pub const STEADY: usize = 8;
 
 /// A surface: the corners of a convex polygon, or two points of a border to whose left it lies; and its motion.
@@ -86,11 +89,38 @@ pub fn steady(floor: &Floor, push: [f64; 3]) -> Result<[f64; STEADY], Refused> {
     }
 }
 
+/// A time step of a body, of mass and moment of inertia.
+pub fn step(
+    floor: &Floor,
+    [mass, inertia, dt]: [f64; 3],
+    twist: [f64; 3],
+    push: [f64; 3],
+) -> Result<[f64; STEADY], Refused> {
+    let (body, dt) = (PlanarBody::new(mass, inertia)?, TimeStep::new(dt)?);
+    let end = floor.step(&body, &twist_of(twist), &wrench_of(push), dt);
+    let FloorStep {
+        twist,
+        friction,
+        carried_by,
+        imbalance,
+    } = end.ok_or(Refused::Because("there is no foot"))?;
+    Ok(row(&twist, &friction, carried_by, imbalance))
+}
+
 /// A steady motion as a row.
 pub fn row_of_steady(found: &SteadyMotion<f64>) -> [f64; STEADY] {
-    let [vx, vy, spin] = row_of_twist(&found.twist);
-    let [fx, fy, torque] = row_of(&found.friction);
-    let carried_by = found.carried_by.map_or(-1.0, |foot| foot as f64);
     let evaluations = found.evaluations as f64;
-    [vx, vy, spin, fx, fy, torque, carried_by, evaluations]
+    row(&found.twist, &found.friction, found.carried_by, evaluations)
+}
+
+fn row(
+    twist: &Twist<f64>,
+    friction: &Wrench<f64>,
+    carried_by: Option<usize>,
+    last: f64,
+) -> [f64; STEADY] {
+    let [vx, vy, spin] = row_of_twist(twist);
+    let [fx, fy, torque] = row_of(friction);
+    let carried_by = carried_by.map_or(-1.0, |foot| foot as f64);
+    [vx, vy, spin, fx, fy, torque, carried_by, last]
 }

@@ -9,7 +9,7 @@ use crate::exchange::{Refused, answer, status};
 use crate::friction::{nine, row_of, twist_of};
 use alloc::format;
 use alloc::vec::Vec;
-use tribos_friction::Floor;
+use tribos_friction::{Area, Floor};
 
 /// A patch with two coefficients, along an axis and across it: as other patches.
 #[unsafe(no_mangle)]
@@ -77,6 +77,36 @@ pub extern "C" fn floor_jacobian(floor: u32, vx: f64, vy: f64, spin: f64) -> u32
 #[unsafe(no_mangle)]
 pub extern "C" fn floor_steady_motion(floor: u32, fx: f64, fy: f64, torque: f64) -> u32 {
     status(with(floor, |floor| floor::steady(floor, [fx, fy, torque])).map(answer))
+}
+
+/// Twist, friction, the foot that rests or −1, and imbalance after a time step of a body.
+#[unsafe(no_mangle)]
+pub extern "C" fn floor_step(
+    floor: u32,
+    mass: f64,
+    inertia: f64,
+    dt: f64,
+    vx: f64,
+    vy: f64,
+    spin: f64,
+    fx: f64,
+    fy: f64,
+    torque: f64,
+) -> u32 {
+    let (twist, push) = ([vx, vy, spin], [fx, fy, torque]);
+    status(
+        with(floor, |floor| {
+            floor::step(floor, [mass, inertia, dt], twist, push)
+        })
+        .map(answer),
+    )
+}
+
+/// All feet as one patch with the coefficient 1 under the load that is their limit: as other patches.
+#[unsafe(no_mangle)]
+pub extern "C" fn floor_patch(floor: u32) -> u32 {
+    let area = with(floor, |floor| Ok(Area::Flat(floor.area()?)));
+    keep_area(area, "coulomb:mu=1")
 }
 
 fn with<T>(handle: u32, work: impl FnOnce(&Floor) -> Result<T, Refused>) -> Result<T, Refused> {

@@ -14,7 +14,8 @@ pub extern "C" fn check_body(mass: f64, inertia: f64) -> u32 {
     status(Stepper::new(mass, inertia, 1.0).map(|_| ()))
 }
 
-/// One implicit time step: twist, friction, and 1 at rest.
+/// One implicit time step with static friction that is `strength` times kinetic friction, which `tribos/all` alone
+/// heeds: twist, friction, and 1 at rest.
 #[unsafe(no_mangle)]
 pub extern "C" fn step(
     patch: u32,
@@ -25,6 +26,7 @@ pub extern "C" fn step(
     spin_torque: f64,
     mass: f64,
     inertia: f64,
+    strength: f64,
     dt: f64,
     angle: f64,
     vx: f64,
@@ -38,6 +40,7 @@ pub extern "C" fn step(
     let done = Stepper::new(mass, inertia, dt).and_then(|stepper| {
         surface.with(|set| {
             stepper
+                .sticking(strength)
                 .step(set, angle, [vx, vy, spin], [fx, fy, torque])
                 .row()
         })
@@ -56,6 +59,7 @@ pub unsafe extern "C" fn rollout(
     spin_torque: f64,
     mass: f64,
     inertia: f64,
+    strength: f64,
     dt: f64,
     vx: f64,
     vy: f64,
@@ -78,6 +82,7 @@ pub unsafe extern "C" fn rollout(
         turns: surface.patch.turns(),
     };
     let made = Stepper::new(mass, inertia, dt)
+        .map(|stepper| stepper.sticking(strength))
         .and_then(|stepper| surface.with(|set| course.follow(set, &stepper, out)));
     counted(made)
 }

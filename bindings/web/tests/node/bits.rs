@@ -3,12 +3,13 @@
 //! That file has the same chapters, calls the package in Node, and compares its digests with those that this
 //! program leaves in `dist/bits.txt`. Neither side is a snapshot of the other.
 
-use tribos_core::contact::Attraction;
+use tribos_core::contact::{Attraction, TimeStep};
 use tribos_core::floor::SteadyState;
 use tribos_core::law::LocalLaw;
 use tribos_core::limit_surface::UnknownPressureSet;
 use tribos_core::patch::mesh::Vertex;
 use tribos_core::patch::nodes::Node;
+use tribos_core::planar::PlanarBody;
 use tribos_core::slider::SliderParameters;
 use tribos_core::twist::Twist;
 use tribos_friction::{Area, Coefficients, Floor, FootOnFloor};
@@ -206,6 +207,10 @@ fn surface_of(chapter: &mut Chapter, friction: Friction, model: u32, count: usiz
 }
 
 fn steps_of(chapter: &mut Chapter, friction: Friction, model: u32) {
+    sticking_steps_of(chapter, friction, model, 1.0);
+}
+
+fn sticking_steps_of(chapter: &mut Chapter, friction: Friction, model: u32, strength: f64) {
     let (mass, inertia) = (0.5, 0.003);
     let surface = surface(friction, 4.0, model);
     for _ in 0..CALLS {
@@ -213,14 +218,18 @@ fn steps_of(chapter: &mut Chapter, friction: Friction, model: u32) {
         let (dt, angle) = (chapter.positive(0.05), chapter.signed(3.0));
         // It does not matter to a round patch.
         let angle = if surface.patch.turns() { angle } else { 0.0 };
-        let stepper = Stepper::new(mass, inertia, dt).unwrap();
-        let step = surface.with(|set| stepper.step(set, angle, twist, push));
-        chapter.add(&step.unwrap().row());
+        let stepper = Stepper::new(mass, inertia, dt).unwrap().sticking(strength);
+        for twist in [twist, [0.0; 3]] {
+            let step = surface.with(|set| stepper.step(set, angle, twist, push));
+            chapter.add(&step.unwrap().row());
+        }
     }
     for _ in 0..FEW {
         let (twist, push) = (chapter.twist(), chapter.push(3.0, 0.1));
         let pose = [1.0, 1.0, 3.0].map(|most| chapter.signed(most));
-        let stepper = Stepper::new(mass, inertia, 0.01).unwrap();
+        let stepper = Stepper::new(mass, inertia, 0.01)
+            .unwrap()
+            .sticking(strength);
         for (push, pose, steps) in [(push, pose, 20), ([0.0; 3], [0.0; 3], 100)] {
             let course = Trajectory {
                 twist,
@@ -325,6 +334,7 @@ fn polygon(chapter: &mut Chapter) {
     friction_of(chapter, friction, CALLS);
     surface_of(chapter, friction, EXACT, FEW);
     steps_of(chapter, friction, EXACT);
+    sticking_steps_of(chapter, friction, EXACT, 0.8 / 0.5);
     let (mass, inertia) = (2.0, 0.05);
     let surface = surface(friction, mass * 9.81, EXACT);
     for _ in 0..5 {
@@ -388,12 +398,29 @@ fn floor_of(chapter: &mut Chapter, floor: &Floor) {
         chapter.add(&row_of(&found.friction));
         let carried_by = found.carried_by.map_or(-1.0, |foot| foot as f64);
         chapter.add(&[carried_by, found.evaluations as f64]);
+        let body = PlanarBody::new(chapter.positive(2.0), chapter.positive(0.01)).unwrap();
+        let (from, push) = (twist_of(chapter.twist()), wrench_of(chapter.push(9.0, 0.5)));
+        let dt = TimeStep::new(chapter.positive(0.05)).unwrap();
+        let end = floor.step(&body, &from, &push, dt).unwrap();
+        chapter.add(&row_of_twist(&end.twist));
+        chapter.add(&row_of(&end.friction));
+        let carried_by = end.carried_by.map_or(-1.0, |foot| foot as f64);
+        chapter.add(&[carried_by, end.imbalance]);
+        let set = floor.limit_surface().unwrap();
+        let nearest = set.project_with_length(&push, chapter.positive(0.1));
+        chapter.add(&[set.gauge(&push)]);
+        chapter.add(&row_of_twist(&set.twist_normal_to(&push)));
+        chapter.add(&row_of(&nearest.wrench));
     }
 }
 
 fn floors(chapter: &mut Chapter) {
     let disk = |radius| Area::round(tribos_friction::Patch::Disk, radius).unwrap();
     let notch = || Area::polygon(&[&NOTCH], None).unwrap();
+    let worn = || {
+        let name = format!("worn-annulus:{}", 0.03 / 0.04);
+        Area::round(name.parse().unwrap(), 0.04).unwrap()
+    };
     let all = [
         made(named("ellipse:0.3x0.2"), "coulomb:mu=0.5"),
         made(named("hertz-ellipse:0.2x0.3"), "coulomb:mu=0.5"),
@@ -401,6 +428,7 @@ fn floors(chapter: &mut Chapter) {
         tread(disk(0.1)),
         tread(named("hertz-ellipse:0.3x0.2")),
         tread(notch()),
+        made(worn(), "coulomb:mu=0.3"),
     ];
     for friction in all {
         let centre = store::with(friction.patch.handle, |patch| Ok(patch.area.centre()));
@@ -433,6 +461,7 @@ fn floors(chapter: &mut Chapter) {
         (disk(0.04), one(0.3)),
         (named("ellipse:0.3x0.2"), one(0.5)),
         (notch(), tread_coefficients()),
+        (worn(), one(0.3)),
         (named("box:0.3x0.2"), one(0.4)),
     ];
     for _ in 0..10 {

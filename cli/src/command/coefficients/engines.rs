@@ -74,7 +74,7 @@ pub const ENGINES: [Engine; 10] = [
     },
     Engine {
         name: "gazebo",
-        parameter: "torsional coefficient, Bullet-Featherstone",
+        parameter: "torsional coefficient (ground 0), Bullet-Featherstone",
         value: Value::Length,
         model: Some(Model::Separate),
     },

@@ -62,7 +62,9 @@ impl<'a> Report<'a> {
         let mut text = format!(
             "T0/(mu N)   {} m, spinning about the centre of pressure\n\
              R           {} m, the farthest point from it\n\
-             rolling     0 in every engine: dry friction on a flat patch resists no rolling\n\n",
+             rolling     0 in every engine: dry friction on a flat patch resists no rolling\n\
+             for         one contact point; a geometry that touches at several resists turning beside it\n\
+             error       largest error of the torque beside sliding, as a share of T0\n\n",
             shown(arm),
             shown(radius)
         );

@@ -2,6 +2,7 @@
 
 use super::Arguments;
 use crate::command::digits::shown;
+use crate::failure::Failure;
 use serde_json::{Map, Value};
 use tribos::friction::{Patch, Tier};
 use tribos::record::json_number;
@@ -16,18 +17,18 @@ pub enum ContactParameter {
 }
 
 /// What `arguments` say of the contact, in the order of the help, and the tier that evaluates it.
-pub fn contact(arguments: &Arguments, tier: Tier) -> Vec<ContactParameter> {
+pub fn contact(arguments: &Arguments, tier: Tier) -> Result<Vec<ContactParameter>, Failure> {
     let mut given = vec![ContactParameter::Word("patch", arguments.patch.to_string())];
     // Points bring their own lengths, unless the pressure leans over a radius.
     if !matches!(arguments.patch, Patch::Points(_)) || arguments.tilt.is_some() {
-        given.push(ContactParameter::Number("radius", arguments.radius, "m"));
+        given.push(ContactParameter::Number("radius", arguments.radius()?, "m"));
     }
     given.extend(
         arguments
             .tilt
             .map(|tilt| ContactParameter::Number("tilt", tilt, "")),
     );
-    given.push(ContactParameter::Number("load", arguments.load, "N"));
+    given.push(ContactParameter::Number("load", arguments.load()?, "N"));
     match &arguments.law {
         Some(law) => given.push(ContactParameter::Word("law", law.to_string())),
         None => {
@@ -45,7 +46,7 @@ pub fn contact(arguments: &Arguments, tier: Tier) -> Vec<ContactParameter> {
         }
     }
     given.push(ContactParameter::Word("tier", tier.to_string()));
-    given
+    Ok(given)
 }
 
 /// One line a value.

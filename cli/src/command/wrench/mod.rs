@@ -16,7 +16,9 @@ use number::in_range;
 use output::{Fields, Format, Line};
 pub use planar::centre;
 use std::path::{Path, PathBuf};
-use tribos::friction::{Coefficients, Law, Patch, Precision, Tier};
+use tribos::friction::{
+    Coefficients, ContactRadius, FlatPatch, Law, Patch, Precision, Tier, load_of_feet,
+};
 use tribos::record::Rows;
 use tribos::record::write_atomically;
 
@@ -28,8 +30,8 @@ use tribos::record::write_atomically;
 /// spins counterclockwise with `spin`. Friction takes the power force*speed + torque*spin, and the
 /// Jacobian is the derivative of just these. The answer repeats the contact that it is for.
 ///
-/// Boxes, polygons, bars and meshes answer with the wrench on the body instead, force_x, force_y and torque,
-/// which has the opposite sign.
+/// Boxes, polygons, bars, meshes, ellipses, bolts and feet answer with the wrench on the body instead, force_x, force_y
+/// and torque, which has the opposite sign.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
@@ -71,15 +73,16 @@ pub struct Arguments {
     /// them the floor is at rest.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["law", "alpha", "tier", "tilt"])]
     surface: Option<PathBuf>,
-    /// Load [N].
-    #[arg(long, default_value = "1", value_parser = number::not_negative, allow_negative_numbers = true)]
-    load: f64,
-    /// Radius of the contact [m].
-    #[arg(long, default_value = "1", value_parser = number::positive, allow_negative_numbers = true)]
-    radius: f64,
+    /// Load [N] [default: the sum of the column load of feet, else 1].
+    #[arg(long, value_parser = number::not_negative, allow_negative_numbers = true)]
+    load: Option<f64>,
+    /// Radius of the contact [m], or what makes it of the load, such as hertz:modulus=1e6,radius=0.01.
+    #[arg(long, default_value = "1", value_name = "R", value_parser = number::radius, allow_negative_numbers = true,
+          long_help = number::radius_help("Radius of the contact [m], or what makes it of the load."))]
+    radius: ContactRadius,
     /// Sliding speed along x [m/s], of either sign [default: 0 where --spin is given].
     #[arg(long, value_parser = number::finite, allow_negative_numbers = true,
-          required_unless_present_any = ["twists", "spin"], conflicts_with = "twists")]
+          required_unless_present_any = ["twists", "spin", "surface"], conflicts_with = "twists")]
     speed: Option<f64>,
     /// Spin, counterclockwise if positive [rad/s] [default: 0 where --speed is given].
     #[arg(long, value_parser = number::finite, allow_negative_numbers = true, conflicts_with = "twists")]
@@ -151,6 +154,15 @@ pub fn patches() -> String {
     all.join(", ")
 }
 
+/// The load in N: the one that is given, what the rows of a file of feet add up to, or 1.
+pub fn load(given: Option<f64>, patch: &Patch) -> Result<f64, Failure> {
+    match (given, patch) {
+        (Some(load), _) => Ok(load),
+        (None, Patch::Flat(FlatPatch::Feet(file))) => Ok(load_of_feet(file)?.unwrap_or(1.0)),
+        (None, _) => Ok(1.0),
+    }
+}
+
 impl Arguments {
     /// Evaluates and prints.
     pub fn execute(self) -> Result<(), Failure> {
@@ -182,25 +194,39 @@ impl Arguments {
             ));
         }
         let contact = Contact::<R>::new(&self.request()?)?;
-        let load = in_range("load", self.load)?;
+        let load = in_range("load", self.load()?)?;
         if let Some(caveat) = contact.caveat() {
             super::warn(format_args!("warning: {caveat}"));
         }
         let at = |twist| self.line(&contact, load, twist);
         match &self.twists {
             Some(file) => {
-                let given = given::contact(self, contact.tier());
+                let given = given::contact(self, contact.tier())?;
                 let at = |twist| at(twist).map(|line: Line| (line.fields(), line.is_beyond));
                 self.all(file, &["speed", "spin"], &given, at)
             }
             None => {
                 let format = self.format.unwrap_or(Format::Text);
-                let given = given::contact(self, contact.tier());
+                let given = given::contact(self, contact.tier())?;
                 let line = at(self.twist())?;
                 warn_of_beyond(u64::from(line.is_beyond));
                 self.deliver(&format.one(&line.fields(), &given), format, &given)
             }
         }
+    }
+
+    /// The radius under the load, in m.
+    fn radius(&self) -> Result<f64, Failure> {
+        Ok(self.radius.at(self.load()?)?)
+    }
+
+    fn load(&self) -> Result<f64, Failure> {
+        load(self.load, &self.patch)
+    }
+
+    /// Whether a radius was asked for that is not the default.
+    fn has_radius(&self) -> bool {
+        self.radius != ContactRadius::Given(1.0)
     }
 
     /// The one twist: what is not given is 0.
@@ -285,7 +311,7 @@ impl Arguments {
             alpha: self.alpha,
             tier: self.tier,
             coefficient: self.coefficient.largest(),
-            radius: self.radius,
+            radius: self.radius()?,
             tilt,
         })
     }

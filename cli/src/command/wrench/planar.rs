@@ -1,7 +1,7 @@
 //! The wrench on the body at any planar twist: straight edges, meshes, points.
 
 use super::given::ContactParameter;
-use super::output::{Fields, Format};
+use super::output::{Fields, Format, Line};
 use super::{Arguments, contact, warn_of_beyond};
 use crate::command::number::{self, in_range};
 use crate::failure::Failure;
@@ -71,16 +71,17 @@ pub fn of_edges<R: Precision>(arguments: &Arguments) -> Result<(), Failure> {
     for (name, x) in law.values() {
         in_range::<R>(name, x)?;
     }
-    let radius = in_range::<R>("radius", arguments.radius)?;
+    let (own_load, own_radius) = (arguments.load()?, arguments.radius()?);
+    let radius = in_range::<R>("radius", own_radius)?;
     let area = Area::named(&arguments.patch, radius, arguments.centre)?;
     let mut given = vec![ContactParameter::Word("patch", arguments.patch.to_string())];
-    if area.is_round() {
-        given.push(ContactParameter::Number("radius", arguments.radius, "m"));
+    if arguments.patch.has_axis() {
+        given.push(ContactParameter::Number("radius", own_radius, "m"));
     }
     if let Some([x, y]) = arguments.centre {
         given.push(ContactParameter::Word("centre", format!("{x},{y} m")));
     }
-    given.push(ContactParameter::Number("load", arguments.load, "N"));
+    given.push(ContactParameter::Number("load", own_load, "N"));
     if let Some([coefficient, alpha]) = law.power_of_speed() {
         let is_dry = alpha == 0.0;
         let unit = if is_dry { "" } else { "(s/m)^alpha" };
@@ -92,7 +93,7 @@ pub fn of_edges<R: Precision>(arguments: &Arguments) -> Result<(), Failure> {
             given.push(ContactParameter::Number("alpha", alpha, ""));
         }
     }
-    let load = in_range("load", arguments.load)?;
+    let load = in_range("load", own_load)?;
     if let (Patch::Flat(FlatPatch::Feet(file)), None, Some([mu, 0.0]), true) = (
         &arguments.patch,
         &arguments.surface,
@@ -100,19 +101,23 @@ pub fn of_edges<R: Precision>(arguments: &Arguments) -> Result<(), Failure> {
         coefficients.is_isotropic(),
     ) {
         // Each on its own surface.
-        let floor = Floor::feet_of(file, mu * arguments.load)?;
+        let floor = Floor::feet_of(file, mu * own_load)?;
         return deliver(arguments, &OnFloor::<R>::Moving(floor), &given);
     }
     let Some(file) = &arguments.surface else {
         let friction = AreaFriction::new(&coefficients.on(area)?, &law, None)?;
-        return deliver(arguments, &OnFloor::AtRest(friction, load), &given);
+        let on_floor = OnFloor::AtRest(friction, load);
+        return match arguments.patch.has_axis() && coefficients.is_isotropic() {
+            true => deliver_resistance(arguments, &on_floor, &given),
+            false => deliver(arguments, &on_floor, &given),
+        };
     };
     given.push(ContactParameter::Word(
         "surface",
         file.display().to_string(),
     ));
-    let area = Area::<f64>::named(&arguments.patch, arguments.radius, arguments.centre)?;
-    let floor = Floor::under(&area, &coefficients, arguments.load, &Surface::read(file)?)?;
+    let area = Area::<f64>::named(&arguments.patch, own_radius, arguments.centre)?;
+    let floor = Floor::under(&area, &coefficients, own_load, &Surface::read(file)?)?;
     deliver(arguments, &OnFloor::<R>::Moving(floor), &given)
 }
 
@@ -154,7 +159,7 @@ pub fn of_points<R: Precision>(arguments: &Arguments, path: &Path) -> Result<(),
             "points have their own weights: leave out --tilt and --centre",
         ));
     }
-    if arguments.radius != 1.0 {
+    if arguments.has_radius() {
         return Err(Failure::input(
             "points have their own size: leave out --radius",
         ));
@@ -168,10 +173,10 @@ pub fn of_points<R: Precision>(arguments: &Arguments, path: &Path) -> Result<(),
     }
     let friction = AreaFriction::at_points(contact::points(path, &|_| R::ONE)?, &law)?;
     let coefficient: R = in_range("coefficient", arguments.coefficient.largest())?;
-    let load = coefficient * in_range::<R>("load", arguments.load)?;
+    let load = coefficient * in_range::<R>("load", arguments.load()?)?;
     let given = [
         ContactParameter::Word("patch", arguments.patch.to_string()),
-        ContactParameter::Number("load", arguments.load, "N"),
+        ContactParameter::Number("load", arguments.load()?, "N"),
         ContactParameter::Word("law", law.to_string()),
         ContactParameter::Number("coefficient", arguments.coefficient.largest(), ""),
     ];
@@ -184,7 +189,7 @@ fn refuse_options(arguments: &Arguments) -> Result<(), Failure> {
         "--tilt is for round patches; --centre X,Y moves the centre of pressure"
     } else if arguments.tier.is_some() {
         "a patch with straight edges has one tier, which is exact: leave out --tier"
-    } else if arguments.radius != 1.0 && !arguments.patch.has_axis() {
+    } else if arguments.has_radius() && !arguments.patch.has_axis() {
         "a patch with straight edges has its own size: leave out --radius"
     } else {
         return Ok(());
@@ -204,6 +209,43 @@ fn deliver<R: Precision>(
             let format = arguments.format.unwrap_or(Format::Text);
             let [speed, spin] = arguments.twist();
             let (fields, is_beyond) = at([speed, 0.0, spin])?;
+            warn_of_beyond(u64::from(is_beyond));
+            arguments.deliver(&format.one(&fields, given), format, given)
+        }
+    }
+}
+
+/// The same as resistance along the velocity and about the normal: what other round patches answer with.
+fn deliver_resistance<R: Precision>(
+    arguments: &Arguments,
+    friction: &OnFloor<R>,
+    given: &[ContactParameter],
+) -> Result<(), Failure> {
+    let at = |[speed, spin]: [f64; 2]| -> Result<_, Failure> {
+        let twist = Twist::new(in_range("speed", speed)?, R::ZERO, in_range("spin", spin)?);
+        let Wrench { force, torque } = friction.wrench(&twist);
+        let jacobian = arguments.jacobian.then(|| {
+            let all = friction.jacobian(&twist);
+            // No zero is negative.
+            [(0, 0), (0, 2), (2, 0), (2, 2)].map(|at| 0.0 - all[at].to_f64())
+        });
+        let line = Line {
+            twist: [speed, spin],
+            force: 0.0 - force.x.to_f64(),
+            torque: 0.0 - torque.to_f64(),
+            lateral: None,
+            jacobian,
+            is_beyond: false,
+        };
+        let fields = line.fields();
+        let is_beyond = fields.iter().any(|(_, x)| !x.is_finite());
+        Ok((fields, is_beyond))
+    };
+    match &arguments.twists {
+        Some(file) => arguments.all(file, &["speed", "spin"], given, at),
+        None => {
+            let format = arguments.format.unwrap_or(Format::Text);
+            let (fields, is_beyond) = at(arguments.twist())?;
             warn_of_beyond(u64::from(is_beyond));
             arguments.deliver(&format.one(&fields, given), format, given)
         }

@@ -4,7 +4,7 @@ mod header;
 
 use super::atoms::{Atoms, MOST_SPECIES};
 use super::configuration::Configuration;
-use super::spheres::Spheres;
+use super::spheres::{Cell, Spheres};
 use super::text::{Line, Lines, TextError};
 use header::Header;
 use nalgebra::Vector3;
@@ -30,7 +30,7 @@ const NAMELESS: &str = "X";
 /// ```
 ///
 /// Columns `species` and `pos` are required, `vel` (or `velo`, `velocities`) and `id` are optional,
-/// others are ignored; a file with a column `radius` may do without `species`. Species that are all
+/// others are ignored; a file with a column `radius` or `diameter` may do without `species`. Species that are all
 /// numbers from 1 keep them; names are numbered in the order of their first appearance. Masses are 1.
 /// Without `Lattice` all axes are open and the box encloses the atoms.
 pub fn last_frame(text: &str) -> Result<Configuration, TextError> {
@@ -54,9 +54,7 @@ pub fn each_frame(
     let mut lines = Lines::new(text);
     let mut is_first = true;
     loop {
-        while lines.peek().is_some_and(|line| line.text.trim().is_empty()) {
-            lines.next();
-        }
+        lines.skip_blank_lines();
         if lines.peek().is_none() && !is_first {
             return Ok(());
         }
@@ -66,6 +64,12 @@ pub fn each_frame(
     }
 }
 
+#[doc(hidden)]
+/// The cell that a line of keys such as `Lattice`, `Origin` and `pbc` says; open without them.
+pub fn cell(line: Line<'_>) -> Result<Cell, TextError> {
+    header::cell(line)
+}
+
 fn frame(lines: &mut Lines) -> Result<(Configuration, Spheres), TextError> {
     let line = lines.need("the number of atoms", "is the file empty?")?;
     let most = u64::from(u32::MAX);
@@ -73,14 +77,14 @@ fn frame(lines: &mut Lines) -> Result<(Configuration, Spheres), TextError> {
     let line = lines.need("the line of properties", CUT_SHORT)?;
     let header = Header::read(line)?;
     let has = [
-        header.radius.is_some(),
+        header.size.is_some(),
         header.spin.is_some(),
         header.weight.is_some(),
     ];
     let mut spheres = Spheres {
         materials: header.material.map(|_| Vec::new()),
-        tilt: header.tilt,
-        is_silent: header.is_silent,
+        tilt: header.cell.tilt,
+        is_silent: header.cell.is_silent,
         ..Spheres::begin(line, has)
     };
     let mut atoms = Atoms::at(Vec::new());
@@ -101,8 +105,8 @@ fn frame(lines: &mut Lines) -> Result<(Configuration, Spheres), TextError> {
             .map(|at| vector(line, "a velocity", &words, at));
         let velocity = velocity.transpose()?.unwrap_or_else(Vector3::zeros);
         atoms.velocities.push(velocity);
-        if let Some(at) = header.radius {
-            spheres.add_radius(line, words[at], 1.0)?;
+        if let Some((at, factor)) = header.size {
+            spheres.add_radius(line, words[at], factor)?;
         }
         if let Some((at, kind)) = header.weight {
             spheres.add_density(line, words[at], kind)?;
@@ -130,14 +134,16 @@ fn frame(lines: &mut Lines) -> Result<(Configuration, Spheres), TextError> {
     }
     let names = number_species(&mut atoms, &names)?;
     atoms.check()?;
-    let bounds = header.bounds.unwrap_or_else(|| extent(&atoms.positions));
+    let bounds = header.cell.bounds;
+    let has_box = bounds.is_some();
+    let bounds = bounds.unwrap_or_else(|| extent(&atoms.positions));
     let configuration = Configuration {
         atoms,
         ids,
         names,
         bounds,
-        has_box: header.bounds.is_some(),
-        is_periodic: header.is_periodic,
+        has_box,
+        is_periodic: header.cell.is_periodic,
         step: 0,
         forces: None,
     };

@@ -11,6 +11,19 @@ pub(super) enum Weight {
     Mass,
 }
 
+/// A box that may repeat, and lean along x over z.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Cell {
+    /// Low and high end along each axis, if the file says them.
+    pub bounds: Option<[[f64; 2]; 3]>,
+    /// Displacement along x of the images one period higher along z.
+    pub tilt: f64,
+    /// Axes along which space repeats; none without bounds.
+    pub is_periodic: [bool; 3],
+    /// Whether the file does not say which axes are periodic.
+    pub is_silent: bool,
+}
+
 /// Radii and angular velocities in the order of the atoms.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Spheres {

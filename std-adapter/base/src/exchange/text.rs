@@ -176,6 +176,13 @@ impl<'a> Lines<'a> {
         })
     }
 
+    /// Skips blank lines.
+    pub fn skip_blank_lines(&mut self) {
+        while self.peek().is_some_and(|line| line.text.trim().is_empty()) {
+            self.next();
+        }
+    }
+
     /// Skips lines that are blank or contain only a comment.
     pub fn skip_blank(&mut self) {
         while let Some(line) = self.peek()

@@ -42,7 +42,7 @@ pub use number::brief;
 #[doc(hidden)]
 pub use number::{json_number, number, significant};
 #[doc(hidden)]
-pub use read::read_text;
+pub use read::{read_bytes, read_text};
 pub(crate) use seal::with_number;
 #[doc(hidden)]
 pub use seal::{digest, verified, with_digest};
@@ -57,4 +57,4 @@ pub use units::Dimension;
 #[doc(hidden)]
 pub use vtk::{contacts_vtp, particles_vtp};
 #[doc(hidden)]
-pub use xyz::extended_xyz;
+pub use xyz::{cell_keys, extended_xyz};

@@ -1,6 +1,7 @@
 //! Particles as extended XYZ, which OVITO and ASE read.
 
 use super::{Snapshot, SnapshotError, number};
+use crate::space::PeriodicBox;
 use nalgebra::Vector3;
 
 /// Species without a name; chemistry programs read it as "no element".
@@ -64,18 +65,28 @@ pub fn extended_xyz(snapshot: &Snapshot) -> Result<String, SnapshotError> {
     Ok(text)
 }
 
-/// Cell, periods and columns.
-fn header(snapshot: &Snapshot) -> String {
-    let lengths = snapshot.space.lengths();
+/// Cell, origin and periods as keys; a box that is open along an axis has these ends there.
+pub fn cell_keys(space: &PeriodicBox, extents: &[[f64; 2]; 3]) -> String {
+    let lengths = space.lengths();
     let mut lattice = [0.0; 9];
     let mut origin = Vector3::zeros();
-    for (axis, [low, high]) in snapshot.extents.into_iter().enumerate() {
+    for (axis, [low, high]) in extents.iter().enumerate() {
         lattice[4 * axis] = lengths[axis].unwrap_or(high - low);
-        origin[axis] = if lengths[axis].is_some() { 0.0 } else { low };
+        origin[axis] = if lengths[axis].is_some() { 0.0 } else { *low };
     }
     // The third vector of a sheared box leans along x.
-    lattice[6] = snapshot.space.offset();
+    lattice[6] = space.offset();
     let flag = |length: Option<f64>| if length.is_some() { "T" } else { "F" };
+    format!(
+        "Lattice=\"{}\" Origin=\"{}\" pbc=\"{}\"",
+        lattice.map(number).join(" "),
+        triple(&origin),
+        lengths.map(flag).join(" ")
+    )
+}
+
+/// Cell, periods and columns.
+fn header(snapshot: &Snapshot) -> String {
     let mut columns = String::from("species:S:1:id:I:1:pos:R:3:radius:R:1:n_neighb:I:1");
     if snapshot.materials.is_some() {
         columns += ":material:I:1";
@@ -90,10 +101,8 @@ fn header(snapshot: &Snapshot) -> String {
         columns += ":omega:R:3";
     }
     format!(
-        "Lattice=\"{}\" Origin=\"{}\" pbc=\"{}\" Properties={columns} Time={}",
-        lattice.map(number).join(" "),
-        triple(&origin),
-        lengths.map(flag).join(" "),
+        "{} Properties={columns} Time={}",
+        cell_keys(&snapshot.space, &snapshot.extents),
         number(snapshot.time)
     )
 }

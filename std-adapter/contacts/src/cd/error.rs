@@ -132,7 +132,7 @@ pub enum WorldError {
     /// A sphere has a mass outside the valid range, or a state that is not finite.
     #[error(
         "sphere {body}: the mass must lie between 1e-100 and 1e100, the inertia must be positive \
-         and finite, velocities finite; other units help"
+         and finite, or both infinite, velocities finite; other units help"
     )]
     Sphere {
         /// Number of the sphere.
@@ -162,6 +162,9 @@ pub enum WorldError {
          Attraction::Pull"
     )]
     Resistance,
+    /// The motion of a mesh is not finite, or its axis is no unit vector.
+    #[error("mesh: velocity, rate and centre must be finite, and the axis must have length 1")]
+    Mesh,
     /// A wall's normal is not a unit vector, its state is not finite, or its edges bound no rectangle.
     #[error(
         "wall {wall}: the normal must have length 1, place, velocity and force must be finite; a wall with edges \

@@ -13,7 +13,7 @@
 //! that leaves the cell goes on as its image inside, with the velocity of the image.
 
 use super::world::SoftWorld;
-use crate::cd::{WorldError, kinetic_energy};
+use crate::cd::{WorldError, keeps_motion, kinetic_energy};
 use nalgebra::Vector3;
 use tribos_base::space::PeriodicBox;
 use tribos_core::contact::ContactFriction;
@@ -160,7 +160,8 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             return;
         }
         state.speeds[axis] = speed;
-        for (sphere, x) in state.spheres.iter_mut().zip(&state.positions) {
+        let spheres = state.spheres.iter_mut().zip(&state.positions);
+        for (sphere, x) in spheres.filter(|(sphere, _)| !keeps_motion(sphere)) {
             let share = x[axis] / length * change;
             let old = sphere.velocity[axis];
             sphere.velocity[axis] = old + share;
@@ -179,7 +180,8 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
         }
         let state = &self.state;
         let mut moving = Vector3::zeros();
-        for (sphere, x) in state.spheres.iter().zip(&state.positions) {
+        let spheres = state.spheres.iter().zip(&state.positions);
+        for (sphere, x) in spheres.filter(|(sphere, _)| !keeps_motion(sphere)) {
             let own = sphere.velocity - flow(&state.space, &state.speeds, cell.shear_rate, x);
             moving += own.component_mul(&own) / sphere.inv_mass;
         }

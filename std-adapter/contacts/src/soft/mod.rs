@@ -32,6 +32,7 @@ mod cell;
 mod contact;
 mod kick;
 mod law;
+mod mesh;
 mod neighbours;
 mod setup;
 mod step_length;

@@ -2,7 +2,7 @@
 
 use super::contact::SoftContact;
 use super::world::SoftWorld;
-use crate::cd::{Wall, WorldError};
+use crate::cd::{Wall, WorldError, keeps_motion};
 use nalgebra::Vector3;
 use tribos_core::contact::{ContactBody, ContactFriction, ContactGeometry, ContactModes};
 use tribos_core::internals::Block;
@@ -38,13 +38,21 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
         );
         let pairs = found.map_err(|cause| WorldError::Neighbours { step, cause })?;
         let (spheres, radii) = (&self.state.spheres, &self.setup.radii);
-        let pairs = pairs.iter().map(|&bodies| {
+        // Two that keep their motion do not feel each other.
+        let feels = |body: u32| !keeps_motion(&spheres[body as usize]);
+        let pairs = pairs
+            .iter()
+            .filter(|pair| pair.iter().any(|body| feels(*body)));
+        let pairs = pairs.map(|&bodies| {
             let [i, j] = bodies.map(|body| body as usize);
             let block = block([radii[i], radii[j]], &spheres[i], &spheres[j]);
             SoftContact::apart(bodies, &block)
         });
         let mut lists = [pairs.collect(), Vec::new()];
         for (i, x) in positions.iter().enumerate() {
+            if !feels(i as u32) {
+                continue;
+            }
             for (w, wall) in self.state.walls.iter().enumerate() {
                 let height = wall.facing(&self.state.space, x).height;
                 if height - radii[i] <= at_walls + self.skin {
@@ -53,6 +61,13 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
                 }
             }
         }
+        // Contacts with the mesh are found after every step.
+        let planes = self.state.walls.len() as u32;
+        let at_mesh = self.state.contacts[1]
+            .iter()
+            .filter(|contact| contact.bodies[1] >= planes);
+        lists[1].extend(at_mesh);
+        lists[1].sort_by_key(|contact| contact.bodies);
         for (new, old) in lists.iter_mut().zip(&self.state.contacts) {
             recall(new, old);
         }
@@ -88,7 +103,11 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
 }
 
 /// Effective masses of two bodies whose surfaces just touch.
-fn block(radii: [f64; 2], a: &impl ContactBody<f64>, b: &impl ContactBody<f64>) -> Block<f64> {
+pub(super) fn block(
+    radii: [f64; 2],
+    a: &impl ContactBody<f64>,
+    b: &impl ContactBody<f64>,
+) -> Block<f64> {
     let touch = ContactGeometry {
         normal: Vector3::zeros(),
         gap: 0.0,

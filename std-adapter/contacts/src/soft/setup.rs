@@ -3,7 +3,7 @@
 use super::cell::CellControl;
 use super::law::Law;
 use super::law::Stiffness;
-use crate::cd::{self, StepLimits, Wall, WorldError, WorldMaterials};
+use crate::cd::{self, MovingMesh, StepLimits, Wall, WorldError, WorldMaterials};
 use nalgebra::Vector3;
 use tribos_base::space::PeriodicBox;
 use tribos_core::contact::{Attraction, SphereBody};
@@ -19,10 +19,13 @@ pub struct SoftSetup<F> {
     pub positions: Vec<Vector3<f64>>,
     /// Radii of the spheres.
     pub radii: Vec<f64>,
-    /// Velocities, inverse masses and inertias of the spheres; see [`solid`](crate::cd::solid).
+    /// Velocities, inverse masses and inertias of the spheres; see [`solid`](crate::cd::solid). A sphere whose inverses
+    /// are both 0 keeps its motion.
     pub spheres: Vec<SphereBody<f64>>,
     /// Walls and pistons.
     pub walls: Vec<Wall>,
+    /// A wall of triangles. Its contacts are numbered after those of the other walls.
+    pub mesh: Option<MovingMesh>,
     /// Cohesion and friction. A restitution above 0 stands for the [`Stiffness::damping_ratio_of`] ratio that leads to it.
     pub laws: WorldMaterials<F>,
     /// Normal spring of every contact.
@@ -55,6 +58,7 @@ impl<F> SoftSetup<F> {
             radii: Vec::new(),
             spheres: Vec::new(),
             walls: Vec::new(),
+            mesh: None,
             laws,
             stiffness,
             damping: 1.0,
@@ -116,6 +120,7 @@ impl<F: Copy> SoftSetup<F> {
             radii: self.radii.clone(),
             spheres: self.spheres.clone(),
             walls: self.walls.clone(),
+            mesh: self.mesh.clone(),
             gravity: self.gravity,
             step_limits: StepLimits {
                 longest: self.longest,

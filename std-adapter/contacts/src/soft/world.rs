@@ -3,9 +3,12 @@
 use super::cell::{self, CellLoads};
 use super::contact::{Energies, Motion, SoftContact};
 use super::law::Law;
+use super::mesh::{Met, find};
 use super::setup::SoftSetup;
 use super::step_length::{StepLength, fastest};
-use crate::cd::{EnergyBalance, Facing, Iterations, StepReport, Wall, WorldError};
+use crate::cd::{
+    EnergyBalance, Facing, Iterations, MovingMesh, StepReport, Wall, WorldError, keeps_motion,
+};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 use tribos_base::space::PeriodicBox;
@@ -89,8 +92,13 @@ pub struct SoftWorld<F: ContactFriction<f64>> {
     /// Force and torque on each sphere, force on each wall.
     loads: Vec<[Vector3<f64>; 2]>,
     wall_loads: Vec<Vector3<f64>>,
+    /// Power that the mesh takes from the spheres, as the loads are.
+    mesh_load: f64,
     /// Contacts in range at each wall.
     at_walls: Vec<usize>,
+    /// Spheres in range of the mesh, and the time of its place.
+    pub(super) met: Vec<Met>,
+    pub(super) met_at: f64,
 }
 
 /// Force and springs of a contact, with its bodies.
@@ -137,7 +145,10 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             energies: Vec::new(),
             loads: Vec::new(),
             wall_loads: Vec::new(),
+            mesh_load: 0.0,
             at_walls: Vec::new(),
+            met: Vec::new(),
+            met_at: 0.0,
             setup,
         };
         world.skin = world.default_skin();
@@ -168,7 +179,8 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
     /// Largest speed of any body.
     #[doc(hidden)]
     pub fn fastest(&self) -> f64 {
-        fastest(&self.state.spheres, &self.state.walls)
+        let mesh = self.setup.mesh.as_ref().map_or(0.0, MovingMesh::fastest);
+        fastest(&self.state.spheres, &self.state.walls).max(mesh)
     }
 
     /// Restores forces and springs of pairs and at walls, in ascending order of their bodies.
@@ -179,6 +191,8 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
     ) -> Result<(), WorldError> {
         self.listed = false;
         self.list_neighbours()?;
+        self.meet_mesh(0.0);
+        let met = &self.met;
         let SoftState {
             positions,
             walls,
@@ -201,7 +215,11 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
                     let apart = space.displacement(&positions[i], &positions[j]);
                     ContactGeometry::spheres(&apart, [radii[i], radii[j]])
                 } else {
-                    let Facing { outward, height } = walls[j].facing(space, &positions[i]);
+                    let wall = walls.get(j).map(|wall| wall.facing(space, &positions[i]));
+                    let facing = wall.or_else(|| Some(find(met, *bodies)?.facing));
+                    let Some(Facing { outward, height }) = facing else {
+                        continue;
+                    };
                     ContactGeometry::plate(height, &outward, radii[i])
                 };
                 let touch = touch.map_err(|cause| WorldError::Touch {
@@ -278,6 +296,9 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
         self.at_walls.clear();
         self.at_walls.resize(self.state.walls.len(), 0);
         let mut cell = CellLoads::default();
+        let pose = self.setup.mesh.as_ref().map(|mesh| mesh.at(self.met_at));
+        let positions = &self.state.positions;
+        self.mesh_load = 0.0;
         let [pairs, walls] = &self.state.contacts;
         for (contact, load) in pairs
             .iter()
@@ -305,8 +326,14 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             self.loads[i][0] -= force;
             let turn = contact.normal.cross(&force);
             self.loads[i][1] -= turn * (contact.gap + radii[i]) + couple;
-            self.wall_loads[w] += force;
-            self.at_walls[w] += 1;
+            if let Some(wall) = self.wall_loads.get_mut(w) {
+                *wall += force;
+                self.at_walls[w] += 1;
+            } else if let Some(pose) = &pose {
+                let way = contact.normal * (contact.gap + radii[i]);
+                let surface = pose.surface(&self.setup.space, &(positions[i] + way));
+                self.mesh_load += force.dot(&surface.velocity) + couple.dot(&surface.spin);
+            }
             deepest = deepest.max(-contact.gap);
         }
         deepest
@@ -322,7 +349,13 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             energy,
             ..
         } = &mut self.state;
+        energy.work -= self.mesh_load * time;
         for (sphere, [force, torque]) in spheres.iter_mut().zip(&self.loads) {
+            if keeps_motion(sphere) {
+                // What drives it does the work of these forces.
+                energy.work -= (force.dot(&sphere.velocity) + torque.dot(&sphere.spin)) * time;
+                continue;
+            }
             sphere.velocity += force * (sphere.inv_mass * time) + gravity;
             sphere.spin += torque * (sphere.inv_inertia * time);
         }
@@ -352,6 +385,9 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
         let mut work = 0.0;
         for (sphere, x) in spheres.iter().zip(positions) {
             *x += sphere.velocity * dt;
+            if keeps_motion(sphere) {
+                continue;
+            }
             work += gravity.dot(&sphere.velocity) / sphere.inv_mass;
         }
         for wall in walls {
@@ -385,6 +421,9 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
 
     /// Springs, forces and energies of all contacts after a step of length `dt`.
     fn find_forces(&mut self, dt: f64) -> Result<Energies, WorldError> {
+        self.meet_mesh(dt);
+        let pose = self.setup.mesh.as_ref().map(|mesh| mesh.at(self.met_at));
+        let met = &self.met;
         let SoftState {
             positions,
             spheres,
@@ -431,7 +470,30 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
         }
         for contact in at_walls.iter_mut() {
             let [i, w] = contact.bodies.map(|body| body as usize);
-            let plate = &walls[w];
+            let Some(plate) = walls.get(w) else {
+                let radius = radii[i];
+                let energies = match find(met, contact.bodies) {
+                    Some(Met {
+                        facing, surface, ..
+                    }) => ContactGeometry::plate(facing.height, &facing.outward, radius).map(
+                        |touch| {
+                            let motion = relative(&touch, &spheres[i], surface, &Vector3::zeros());
+                            contact.advance(&touch, &motion, wall, dt)
+                        },
+                    ),
+                    None => {
+                        // Beyond the end of a part its plane goes on, and nothing is there.
+                        let number = (w - walls.len()) as u32;
+                        let facing =
+                            pose.and_then(|pose| pose.facing(number, space, &positions[i]));
+                        let gap = facing.map_or(0.0, |facing| facing.height - radius);
+                        let gap = gap.max(wall.cohesion.range().max(0.0));
+                        Ok(contact.part(gap, wall, radius, dt))
+                    }
+                };
+                self.energies.push(energies);
+                continue;
+            };
             let Facing { outward, height } = plate.facing(space, &positions[i]);
             let gap = height - radii[i];
             self.energies.push(if is_apart(gap, wall.cohesion.range()) {

@@ -58,7 +58,9 @@ pub fn stable_step(scene: &GrainsScene) -> Option<f64> {
 /// Number of grains; 0 if those of a start cannot be read.
 fn count(scene: &GrainsScene) -> usize {
     match &scene.initial_state {
-        Some(path) => Assembly::read(path).map_or(0, |grains| grains.radii.len()),
+        Some(path) => {
+            Assembly::read_as(path, scene.columns.as_ref()).map_or(0, |grains| grains.radii.len())
+        }
         None => scene.count,
     }
 }

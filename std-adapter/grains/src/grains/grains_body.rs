@@ -4,8 +4,9 @@ use super::from_scene::volume;
 use super::initial_grains::start;
 use super::layout::Layout;
 use super::loads::Loads;
-use super::measure::{COLUMNS, PackingState};
-use super::outcome::GrainsSummary;
+use super::measure::{COLUMNS, GrainsLine, PackingState};
+use super::mesh;
+use super::outcome::{GrainsSummary, HopperFlow, averages};
 use super::wall::InitialWall;
 use crate::grains::scene::{Container, EndBoundary, GrainsScene};
 use crate::packing::PackingRunError;
@@ -14,13 +15,14 @@ use crate::packing::{
     OptionalFeatures, Packing, PackingBody, PackingEnergy, PackingRun, PackingStopReason,
     RunLimits,
 };
+use nalgebra::Vector3;
 use serde_json::{Map, Value};
 use std::ops::ControlFlow;
 use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::CheckpointError;
 use tribos_base::record::checkpoint::damaged;
 use tribos_base::record::frames::Kind;
-use tribos_contacts::cd::Wall;
+use tribos_contacts::cd::{MovingMesh, Wall};
 use tribos_contacts::soft::{AxisControl, CellControl};
 
 /// Slow steps after which the grains count as at rest.
@@ -37,6 +39,7 @@ pub struct GrainsBody {
     scene: GrainsScene,
     layout: Layout,
     loads: Loads,
+    mesh: Option<MovingMesh>,
 }
 
 /// Number of steps for which the grains have been slow.
@@ -63,6 +66,7 @@ impl GrainsBody {
             packing: &*seen.packing,
             contacts: &seen.contacts,
             report: &seen.report,
+            mesh: self.mesh.as_ref(),
         }
     }
 }
@@ -72,7 +76,7 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
     type Monitor = SlowStepCount;
 
     const COLUMNS: [&'static str; COLUMNS.len()] = COLUMNS;
-    const FORMAT: (&'static str, u64) = ("tribos_grains", 3);
+    const FORMAT: (&'static str, u64) = ("tribos_grains", 4);
     const KIND: Kind = Kind::Grains;
     const CADENCE: MeasurementSchedule = MeasurementSchedule::Lines;
     const OVER: PackingStopReason = PackingStopReason::Rest;
@@ -81,12 +85,14 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
         scene: &GrainsScene,
         watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
     ) -> Result<(Self, InitialSpheres), PackingRunError> {
-        let start = start(scene, watch)?;
+        let mesh = mesh::of(scene)?;
+        let start = start((scene, mesh.as_ref()), watch)?;
         let layout = Layout::of(scene, &start)?;
         let body = Self {
             scene: scene.clone(),
-            loads: Loads::of(scene, &layout),
+            loads: Loads::of(scene, &layout, &start),
             layout,
+            mesh,
         };
         Ok((body, start))
     }
@@ -109,6 +115,11 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
 
     fn walls(&self) -> usize {
         self.layout.parts.len()
+    }
+
+    fn corners(&self) -> Vec<Vector3<f64>> {
+        let corners = self.mesh.iter().flat_map(|mesh| mesh.mesh.corners());
+        corners.flatten().copied().collect()
     }
 
     fn bodies(&self, start: &InitialSpheres, _: &OptionalFeatures) -> Bodies {
@@ -144,6 +155,8 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
             }),
             shear_rate: self.scene.shear_rate.unwrap_or(0.0),
             velocities: self.scene.agitation(start.radii.len()),
+            bound: self.loads.bound().iter().map(|held| held.grain).collect(),
+            mesh: self.mesh.clone(),
             ..OptionalFeatures::default()
         }
     }
@@ -219,14 +232,13 @@ impl GrainsSimulation {
     /// Summary of the run so far.
     pub fn outcome(&self) -> GrainsSummary {
         let now = self.body.now(&self.seen);
-        let spheres = now.packing.spheres().iter();
         let totals = self.totals();
         let has_surface = now.scene.boundary_z == EndBoundary::Floor;
         let energy = now.packing.energy();
         GrainsSummary {
             ending: self.ending(),
-            grains: now.packing.radii().len(),
-            mass: spheres.map(|grain| 1.0 / grain.inv_mass).sum(),
+            grains: now.free().count(),
+            mass: now.free().map(|(_, _, grain)| 1.0 / grain.inv_mass).sum(),
             time: self.time(),
             steps: self.steps(),
             iterations_total: totals.iterations,
@@ -235,12 +247,23 @@ impl GrainsSimulation {
             contacts: self.pairs(),
             end: now.line(),
             surface_angles: has_surface.then(|| now.surface_angles()),
+            surface_angle_error: has_surface.then(|| now.surface_angle_error()),
+            flow: (now.scene.container == Container::Hopper).then(|| self.flow()),
+            averages: averages(self.series(), now.scene.average_from),
             max_overlap: self.max_overlap(),
             statistics: self.statistics(),
             dissipation: Dissipation::of(energy),
             energy: PackingEnergy::of(energy, &now.scene.contact_method()),
             wall_seconds: totals.wall_seconds,
         }
+    }
+
+    /// Flow through the slot of a hopper.
+    fn flow(&self) -> HopperFlow {
+        let lines = self.series().iter().map(|row| GrainsLine::from(*row));
+        let (times, below): (Vec<f64>, Vec<f64>) =
+            lines.map(|line| (line.time, line.discharged)).unzip();
+        HopperFlow::of(&times, &below)
     }
 }
 

@@ -17,14 +17,29 @@ pub(super) struct Layout {
     pub lengths: [f64; 3],
 }
 
+/// Height of the box: that of the scene, or as high as the free grains with those glued to the plate.
+pub(super) fn height(scene: &GrainsScene, start: &InitialSpheres) -> f64 {
+    let grains = start
+        .positions
+        .iter()
+        .zip(&start.radii)
+        .zip(&start.kinds.materials);
+    let free = grains.filter(|(_, kind)| scene.holder(**kind).is_none());
+    let top = free
+        .map(|((x, radius), _)| x.z + radius)
+        .fold(0.0, f64::max);
+    scene.height.unwrap_or_else(|| match scene.rough_lid {
+        Some(radius) => top + radius,
+        None => top,
+    })
+}
+
 impl Layout {
     /// The box of a scene around its grains.
     pub fn of(scene: &GrainsScene, start: &InitialSpheres) -> Result<Self, SpaceError> {
-        let grains = start.positions.iter().zip(&start.radii);
-        let top = grains.map(|(x, radius)| x.z + radius).fold(0.0, f64::max);
         let height = match scene.container {
             Container::Drum => scene.width,
-            _ => scene.height.unwrap_or(top),
+            _ => height(scene, start),
         };
         let lengths = [scene.width, scene.box_depth(), height];
         let is_drum = scene.container == Container::Drum;

@@ -1,10 +1,11 @@
 //! What drives the grains: gravity, pistons, moving plates, shaking, each at its time.
 
+use super::bound::{BoundGrain, Holder};
 use super::layout::Layout;
 use super::ramp::Ramp;
 use super::wall::{AxisEnd, InitialWall, PLATE, WallId};
 use crate::grains::scene::{Axis, GrainsScene};
-use crate::packing::Packing;
+use crate::packing::{InitialSpheres, Packing};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 use tribos_contacts::cd::Rectangle;
@@ -41,6 +42,11 @@ pub(super) struct Loads {
     opening: f64,
     shake: Shake,
     repeat: Option<f64>,
+    /// Velocity of driven grains, and all grains that no force moves.
+    drive: [Ramp; 3],
+    bound: Vec<BoundGrain>,
+    /// Velocity of the plate above along z, if it has one.
+    lid: Option<Ramp>,
     /// What the lengths of periodic axes follow.
     axes: [AxisLoad; 3],
 }
@@ -64,7 +70,7 @@ struct Shake {
 
 impl Loads {
     /// The loads of a scene on the walls of its box.
-    pub fn of(scene: &GrainsScene, layout: &Layout) -> Self {
+    pub fn of(scene: &GrainsScene, layout: &Layout, start: &InitialSpheres) -> Self {
         let control = |face: WallId| match face {
             WallId::Side(_, AxisEnd::Low) => WallControl::Box,
             WallId::Side(axis, AxisEnd::High) => match (scene.pressure(axis), scene.velocity(axis))
@@ -102,7 +108,47 @@ impl Loads {
                     (None, None) => AxisLoad::Fixed,
                 }
             }),
+            drive: [
+                scene.driven_velocity_x.clone(),
+                scene.driven_velocity_y.clone(),
+                scene.driven_velocity_z.clone(),
+            ],
+            bound: scene.bound(start),
+            lid: scene.wall_velocity_z.clone(),
         }
+    }
+
+    /// The grains that no force moves.
+    pub fn bound(&self) -> &[BoundGrain] {
+        &self.bound
+    }
+
+    /// Displacement and velocity at a time of the grains that something holds.
+    pub fn motion(&self, holder: Holder, time: f64) -> [Vector3<f64>; 2] {
+        let along = |ramp: &Ramp, axis: Vector3<f64>| {
+            let [speed, way] = self.follow(ramp, time);
+            [axis * way, axis * speed]
+        };
+        let (shift, swing) = self.shake.at(time);
+        let parts = match holder {
+            Holder::Box => return [shift, swing],
+            Holder::Drive => {
+                let [x, y, z] = &self.drive;
+                vec![
+                    along(x, Vector3::x()),
+                    along(y, Vector3::y()),
+                    along(z, Vector3::z()),
+                ]
+            }
+            Holder::Lid => {
+                let rise = self.lid.as_ref().map(|speed| along(speed, Vector3::z()));
+                vec![
+                    rise.unwrap_or([shift, swing]),
+                    along(&self.plate_speed, Vector3::x()),
+                ]
+            }
+        };
+        [0, 1].map(|of: usize| parts.iter().map(|part| part[of]).sum())
     }
 
     /// Whether a wall is a piston.
@@ -153,6 +199,12 @@ impl Loads {
         let extents = layout.extents(packing);
         packing.set_gravity(self.gravity(time));
         packing.set_axes(self.axes(time));
+        for holder in [Holder::Box, Holder::Drive, Holder::Lid] {
+            let [shift, velocity] = self.motion(holder, time);
+            for held in self.bound.iter().filter(|held| held.holder == holder) {
+                packing.place(held.grain, held.start + shift, velocity);
+            }
+        }
         let (shift, swing) = self.shake.at(time);
         let walls = packing.walls_mut().iter_mut();
         for (wall, (face, control, start)) in walls.zip(&self.walls) {

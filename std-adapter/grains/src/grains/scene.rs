@@ -1,8 +1,11 @@
 //! The scene of grains in a box: loads and walls that follow time.
 
 use super::ramp::{RAMP, RAMP_NOT_NEGATIVE, Ramp};
+use super::texts::{COORDINATES, Coordinates, GrainTypes, TYPES};
 use crate::packing::method::{ContactMethod, FrictionCoupling, NormalForce, WallLaw, soft_rules};
-use crate::packing::{Radii, SIZES, SettingError, SizeDistribution};
+use crate::packing::{
+    COLUMNS, COLUMNS_ALONE, PackingColumns, Radii, SIZES, SettingError, SizeDistribution,
+};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use tribos_base::record::brief;
@@ -109,8 +112,11 @@ scene! {
     drum_angular_velocity was drum_rate: Ramp = Ramp::from(1.0), "rad/s", RAMP, OnlyWith("container", "drum");
     /// Number of grains, unless `initial_state` has them.
     count: usize = 100, "-", Count { from: 1.0, up_to: 1e6 }, UnlessGiven("initial_state");
-    /// Grains to start from in place of random ones: a file (extended XYZ, LAMMPS data or dump, VTP), or the folder of a run, whose last state goes on.
+    /// Grains to start from in place of random ones: a file (XYZ, a table, LAMMPS, VTK, MercuryDPM and others; see `tribos packing`), or the folder of a run, whose last state goes on.
     initial_state was start: Option<PathBuf> = None, "-", Path;
+    /// Columns of a table that `initial_state` names, or arrays of a file of VTK, where the file does not say them: names in their
+    /// order, `-` for one that is not read, `NAME=COLUMN` or `NAME=all:VALUE`.
+    columns: Option<PackingColumns> = None, "-", COLUMNS;
     /// Mean radius of the grains.
     radius: f64 = 0.005, "m", Positive, Required;
     /// Spread of the radii, in mean radii: they are uniform from 1 - spread to 1 + spread.
@@ -123,6 +129,8 @@ scene! {
     seed: u64 = 1, "-", Count { from: 1.0, up_to: MOST_SEEDS };
     /// Distance of neighbours at the start, in diameters of the largest grain; the rest is random.
     initial_spacing was spacing: f64 = 1.2, "-", Between { above: 1.0, up_to: 100.0 };
+    /// Height above the floor from which random grains are placed upwards.
+    initial_height: f64 = 0.0, "m", NotNegative, Without("initial_state");
     /// Share of the grains that are of a second material, chosen at random; those of `initial_state` that have materials keep them.
     second_fraction was share_second: f64 = 0.0, "-", Fraction;
     /// Radius of these, in mean radii of the others.
@@ -133,6 +141,38 @@ scene! {
     mu_second was sliding_second: Option<f64> = None, "-", NotNegative;
     /// Sliding coefficient between the two materials; the geometric mean of theirs if it is left out.
     mu_mixed was sliding_mixed: Option<f64> = None, "-", NotNegative;
+    /// Radius of grains glued to the floor in a square lattice, side by side, with their centres in its plane.
+    rough_floor: Option<f64> = None, "m", Positive, Without("initial_state");
+    /// Radius of grains glued to the plate above in the same way, which move with it.
+    rough_lid: Option<f64> = None, "m", Positive, OnlyWith("boundary_z", "walls");
+    /// Types of `initial_state` whose grains stay where they are in the box, whatever pushes them: rough bottoms and
+    /// obstacles. Those that `rough_floor` glues are of type 3.
+    fixed_kinds: GrainTypes = GrainTypes::FLOOR, "-", TYPES;
+    /// Types of `initial_state` whose grains move as one body with the driven velocity, without rotation. The intruder is
+    /// of type 4.
+    driven_kinds: GrainTypes = GrainTypes::DRIVEN, "-", TYPES;
+    /// Radius of an intruder, a sphere that moves with the driven velocity through the grains.
+    intruder_radius: Option<f64> = None, "m", Positive, Without("initial_state");
+    /// Place of its centre at the start.
+    intruder_position: Option<Coordinates> = None, "m", COORDINATES, Without("initial_state");
+    /// Velocity of driven grains along x.
+    driven_velocity_x: Ramp = Ramp::from(0.0), "m/s", RAMP;
+    /// Velocity of driven grains along y.
+    driven_velocity_y: Ramp = Ramp::from(0.0), "m/s", RAMP;
+    /// Velocity of driven grains along z.
+    driven_velocity_z: Ramp = Ramp::from(0.0), "m/s", RAMP;
+    /// Walls of triangles beside those of the box: an STL file, as text or binary, with the coordinates of the box.
+    mesh: Option<PathBuf> = None, "-", Path;
+    /// Factor from the lengths of `mesh` to those of the box, such as 0.001 for millimetres.
+    mesh_scale: f64 = 1.0, "-", Positive;
+    /// Velocity of the mesh.
+    mesh_velocity: Coordinates = Coordinates([0.0; 3]), "m/s", COORDINATES;
+    /// Rate of rotation of the mesh, right-handed about its axis.
+    mesh_angular_velocity: f64 = 0.0, "rad/s", Finite;
+    /// Direction of the axis of this rotation.
+    mesh_axis: Coordinates = Coordinates([0.0, 0.0, 1.0]), "-", COORDINATES;
+    /// A point of the axis at the start, which moves with the mesh; torques on it are about this point.
+    mesh_centre: Coordinates = Coordinates([0.0; 3]), "m", COORDINATES;
     /// Cohesion F_coh: largest pull of a contact.
     cohesion: f64 = 0.0, "N", NotNegative;
     /// Gap up to which cohesion acts.
@@ -218,6 +258,8 @@ scene! {
     max_steps was steps: u64 = 10_000_000, "-", Count { from: 1.0, up_to: 1e9 };
     /// Steps from one line of the series to the next.
     sample_every was samples: u64 = 50, "-", Count { from: 1.0, up_to: 1e9 };
+    /// Time from which on means over time are taken; for each column the time after which it has settled if it is left out.
+    average_from: Option<f64> = None, "s", NotNegative;
 }
 
 /// Masses of a mean grain whose inertia and energies are numbers too.
@@ -249,6 +291,9 @@ fn rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
             "`initial_state` has its own radii; leave out `size_distribution` and `radius_spread`";
         judge.refuse(&["initial_state"], message);
     }
+    if scene.columns.is_some() && scene.initial_state.is_none() {
+        judge.refuse(&["columns"], COLUMNS_ALONE);
+    }
     if scene.boundary_z == EndBoundary::Periodic && scene.height.is_none() {
         let message = "`height` is the period where boundary_z = \"periodic\"; give it";
         judge.refuse(&["height", "boundary_z"], message);
@@ -271,7 +316,18 @@ fn rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
         );
         judge.refuse(&["density", "radius"], message);
     }
+    if scene
+        .average_from
+        .is_some_and(|from| from >= scene.duration)
+    {
+        let message = format!(
+            "`average_from` must be less than the `duration` of the run, {}",
+            scene.duration
+        );
+        judge.refuse(&["average_from", "duration"], message);
+    }
     gravity_rule(scene, judge);
+    bound_rules(scene, judge);
     if scene.method == ContactMethod::Soft {
         soft_rules(
             judge,
@@ -320,12 +376,57 @@ fn gravity_rule(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
     let walls = [scene.boundary_x, scene.boundary_y].contains(&SideBoundary::Walls)
         && scene.shear_rate.is_none();
     let [_, most] = scene.gravity.range();
-    if scene.boundary_z == EndBoundary::Periodic && !walls && most > 0.0 {
+    if scene.boundary_z == EndBoundary::Periodic && !walls && scene.mesh.is_none() && most > 0.0 {
         let message = format!(
             "nothing bears the grains against a `gravity` of up to {most} where boundary_z = \"periodic\" without walls, \
              or with `shear_rate`; set gravity = 0"
         );
         judge.refuse(&["gravity", "boundary_z"], message);
+    }
+}
+
+/// Glued grains, the intruder and the mesh must fit the box.
+fn bound_rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
+    let is_open = scene.boundary_z == EndBoundary::Periodic || scene.container == Container::Drum;
+    if scene.rough_floor.is_some() && is_open {
+        let message =
+            "`rough_floor` needs a floor: boundary_z = \"floor\" or \"walls\", and no drum";
+        judge.refuse(&["rough_floor", "boundary_z", "container"], message);
+    }
+    if scene.rough_lid.is_some() && scene.initial_state.is_some() {
+        let message = "`initial_state` has its own glued grains, of type 5; leave out `rough_lid`";
+        judge.refuse(&["rough_lid", "initial_state"], message);
+    }
+    if scene.rough_lid.is_some() && scene.wall_stress_z.is_some() {
+        let message = "grains glued to the plate move with a speed; give `wall_velocity_z` in place of `wall_stress_z`";
+        judge.refuse(&["rough_lid", "wall_stress_z"], message);
+    }
+    let slides = scene.lid_speed_x.constant() != Some(0.0);
+    if scene.rough_lid.is_some() && slides && scene.boundary_x == SideBoundary::Walls {
+        let message =
+            "glued grains would leave through the walls along x; set boundary_x = \"periodic\"";
+        judge.refuse(&["rough_lid", "lid_speed_x", "boundary_x"], message);
+    }
+    if scene.intruder_radius.is_some() != scene.intruder_position.is_some() {
+        let message = "give `intruder_radius` and `intruder_position`, or neither";
+        judge.refuse(&["intruder_radius", "intruder_position"], message);
+    }
+    if scene.shear_rate.is_some() && scene.intruder_radius.is_some() {
+        judge.refuse(
+            &["shear_rate", "intruder_radius"],
+            "a sheared box has no intruder",
+        );
+    }
+    let off = |place: Coordinates| place.0[1] != 0.0;
+    if scene.is_flat() && (scene.mesh.is_some() || scene.intruder_position.is_some_and(off)) {
+        let message = "with dimension = 2 there is no `mesh`, and an intruder lies at y = 0";
+        judge.refuse(&["dimension", "mesh", "intruder_position"], message);
+    }
+    if scene.mesh_axis.0 == [0.0; 3] {
+        judge.refuse(
+            &["mesh_axis"],
+            "`mesh_axis` must have a direction, such as \"0, 0, 1\"",
+        );
     }
 }
 

@@ -13,8 +13,10 @@ mod stress;
 mod summary;
 mod table;
 
-pub use crate::packing::AssemblyError;
 pub use crate::packing::assembly::{Assembly, KnownForces};
+pub use crate::packing::{
+    AssemblyError, PackingColumns, PackingColumnsError, PackingFormat, WrittenPacking,
+};
 pub use chains::{Buckling, ForceChains};
 pub use coordination::Coordination;
 pub use fabric::Fabric;
@@ -24,6 +26,8 @@ pub use pair_correlation::PairCorrelation;
 pub use profile::PorosityProfile;
 pub use stress::StressTensor;
 pub use table::Table;
+
+pub use tribos_base::exchange::sphere_columns::SphereColumn;
 
 use tribos_base::space::SpaceError;
 

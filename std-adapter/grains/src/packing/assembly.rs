@@ -1,6 +1,6 @@
 //! Spheres in a box as a file or a run has them.
 
-use crate::packing::WorldSnapshot;
+use crate::packing::{PackingFormat, WorldSnapshot};
 use nalgebra::Vector3;
 use serde_json::Value;
 use tribos_base::record::{ContactRow, Partner};
@@ -51,6 +51,10 @@ pub struct Assembly {
     pub scene: Value,
     /// Whether the periods are assumed: the file does not say which axes are periodic.
     pub(crate) is_assumed: bool,
+    /// The format of the file, if they are of one.
+    pub format: Option<PackingFormat>,
+    /// What the reader left out of the file, or assumed.
+    pub notes: Vec<String>,
     /// The complete state of a run.
     pub(crate) frozen: Option<WorldSnapshot>,
     /// Normals of the walls of that state.
@@ -85,6 +89,8 @@ impl Assembly {
             forces: KnownForces::Unknown,
             scene: Value::Null,
             is_assumed: false,
+            format: None,
+            notes: Vec::new(),
             frozen: None,
             outward: Vec::new(),
         };
@@ -144,8 +150,11 @@ impl Assembly {
         self.radii.iter().sum::<f64>() / self.radii.len() as f64
     }
 
-    /// The deepest overlap over the smaller radius, with its spheres.
-    pub(crate) fn deepest(&self) -> Result<Option<(f64, [u32; 2])>, SpaceError> {
+    /// The deepest overlap over the smaller radius of two spheres that count, with these.
+    pub(crate) fn deepest(
+        &self,
+        counts: impl Fn(&&[u32; 2]) -> bool,
+    ) -> Result<Option<(f64, [u32; 2])>, SpaceError> {
         let pairs = neighbours(&self.space, &self.positions, &self.radii, 0.0)?;
         let depth = |&[a, b]: &[u32; 2]| {
             let [i, j] = [a as usize, b as usize];
@@ -158,6 +167,7 @@ impl Assembly {
         };
         Ok(pairs
             .iter()
+            .filter(counts)
             .map(depth)
             .max_by(|a, b| f64::total_cmp(&a.0, &b.0)))
     }

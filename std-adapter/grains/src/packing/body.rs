@@ -5,6 +5,7 @@ use super::{
     PackingRunError, PackingStopReason, SecondMaterial, SecondMaterialKeys, WorldSnapshot,
     build_with,
 };
+use nalgebra::Vector3;
 use serde_json::{Map, Value};
 use std::fmt::Debug;
 use std::ops::ControlFlow;
@@ -51,6 +52,10 @@ pub trait PackingBody<const N: usize>: Debug + Sized {
     fn bounds(&self) -> RunLimits;
     /// Number of walls.
     fn walls(&self) -> usize;
+    /// Corners of a wall of triangles beside these; none without one.
+    fn corners(&self) -> Vec<Vector3<f64>> {
+        Vec::new()
+    }
     /// Spheres and walls at the start.
     fn bodies(&self, start: &InitialSpheres, features: &OptionalFeatures) -> Bodies;
     /// What the body has beside material and walls; the spheres' kinds are added to it.

@@ -55,7 +55,7 @@ impl<B: PackingBody<N>, const N: usize> PackingCheckpoint<B, N> {
     /// series as the scene writes in its number of steps, and began with what the scene begins with now.
     pub fn fits(
         &self,
-        (spheres, walls): (usize, usize),
+        (spheres, walls, has_mesh): (usize, usize, bool),
         origin: &str,
         to: RunLimits,
     ) -> Result<(), CheckpointError> {
@@ -72,7 +72,7 @@ impl<B: PackingBody<N>, const N: usize> PackingCheckpoint<B, N> {
         if self.series.len() as u64 != lines {
             return Err(damaged("series"));
         }
-        if self.frozen.fits(spheres, walls) {
+        if self.frozen.fits(spheres, walls, has_mesh) {
             Ok(())
         } else {
             Err(damaged("numbers of spheres"))

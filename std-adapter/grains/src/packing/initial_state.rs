@@ -2,7 +2,7 @@
 
 use super::{Forces, Kinds, WorldSnapshot};
 use crate::packing::method::ContactMethod;
-use crate::packing::{Assembly, AssemblyError};
+use crate::packing::{Assembly, AssemblyError, PackingColumns};
 use nalgebra::Vector3;
 use std::path::Path;
 use tribos_base::record::ContactRow;
@@ -15,7 +15,7 @@ const DEEPEST: f64 = 0.05;
 /// The same of soft spheres: a spring bears any overlap, until the centre of the smaller sphere enters the larger.
 const DEEPEST_SOFT: f64 = 1.0;
 /// Largest relative difference of a period from the scene's.
-const SAME_PERIOD: f64 = 1e-9;
+pub(crate) const SAME_PERIOD: f64 = 1e-9;
 /// Range of the mean radius of a file, over that of the scene.
 const MEAN_RADII: [f64; 2] = [0.5, 2.0];
 
@@ -38,19 +38,20 @@ pub(crate) fn deepest(method: ContactMethod) -> f64 {
     }
 }
 
-/// Spheres with the periods of a scene; `periods` has the lengths of its periodic axes with their keys, and
-/// `radius` is the mean radius that it expects.
+/// Spheres with the periods of a scene; `periods` has the lengths of its periodic axes with their keys, `radius` is
+/// the mean radius that it expects of those that move, and `is_bound` tells types that no force moves.
 pub(crate) fn given(
-    path: &Path,
+    (path, columns): (&Path, Option<&PackingColumns>),
     periods: [Option<(f64, &'static str)>; 3],
     (radius, method): (f64, ContactMethod),
+    is_bound: impl Fn(u8) -> bool,
 ) -> Result<Assembly, AssemblyError> {
     let file = path.display().to_string();
     let refused = |reason: String| AssemblyError::Content {
         file: file.clone(),
         reason,
     };
-    let mut assembly = Assembly::read(path)?;
+    let mut assembly = Assembly::read_as(path, columns)?;
     if assembly.radii.is_empty() {
         return Err(refused("there is no sphere; give one or more".into()));
     }
@@ -68,6 +69,7 @@ pub(crate) fn given(
             }
             Some(period) => lengths[axis] = Some(period),
             None => {
+                assembly.begin_at_zero(axis, Some(length));
                 check_within(&file, &assembly, axis, length)?;
                 lengths[axis] = Some(length);
             }
@@ -75,16 +77,18 @@ pub(crate) fn given(
     }
     // Axes repeat in the box of the scene, not in that of the file.
     assembly.set_periods(&file, lengths)?;
-    let known = 1..=2;
+    let known = |material: &u8| *material == 1 || *material == 2 || is_bound(*material);
     if let Some(materials) = &assembly.materials
-        && let Some(other) = materials.iter().find(|material| !known.contains(*material))
+        && let Some(other) = materials.iter().find(|material| !known(material))
     {
         return Err(refused(format!(
             "there is a sphere of type {other}, and a scene has two materials; give types 1 and 2"
         )));
     }
     if assembly.frozen.is_none() {
-        check_spheres(&file, &assembly, radius, deepest(method))?;
+        let kinds = assembly.materials.as_deref().unwrap_or_default();
+        let moves = |sphere: usize| !kinds.get(sphere).is_some_and(|kind| is_bound(*kind));
+        check_spheres(&file, &assembly, (radius, method), moves)?;
     }
     Ok(assembly)
 }
@@ -113,30 +117,41 @@ fn check_within(
 fn check_spheres(
     file: &str,
     assembly: &Assembly,
-    radius: f64,
-    most: f64,
+    (radius, method): (f64, ContactMethod),
+    moves: impl Fn(usize) -> bool,
 ) -> Result<(), AssemblyError> {
     let refused = |reason: String| AssemblyError::Content {
         file: file.into(),
         reason,
     };
-    let mean = assembly.mean_radius();
+    let radii = assembly.radii.iter().enumerate();
+    let radii: Vec<f64> = radii.filter(|(i, _)| moves(*i)).map(|(_, r)| *r).collect();
+    let mean = radii.iter().sum::<f64>() / radii.len() as f64;
     let [smallest, largest] = MEAN_RADII;
-    if !(smallest..=largest).contains(&(mean / radius)) {
+    if !radii.is_empty() && !(smallest..=largest).contains(&(mean / radius)) {
         let factor = radius / mean;
         return Err(refused(format!(
             "the mean radius is {mean}, and that of the scene is {radius}; multiply all lengths by {factor}"
         )));
     }
-    let deepest = assembly.deepest().map_err(|cause| AssemblyError::Space {
-        file: file.into(),
-        cause,
-    })?;
+    let one_moves = |pair: &&[u32; 2]| pair.iter().any(|sphere| moves(*sphere as usize));
+    let deepest = assembly
+        .deepest(one_moves)
+        .map_err(|cause| AssemblyError::Space {
+            file: file.into(),
+            cause,
+        })?;
+    let most = self::deepest(method);
     match deepest {
         Some((depth, [a, b])) if depth > most => Err(refused(format!(
-            "spheres {a} and {b} (from 0) overlap by {:.3} % of the smaller radius; at most {} % is taken",
+            "spheres {a} and {b} (from 0) overlap by {:.3} % of the smaller radius; at most {} % is taken{}",
             100.0 * depth,
-            100.0 * most
+            100.0 * most,
+            match method {
+                ContactMethod::Soft => "",
+                ContactMethod::ContactDynamics =>
+                    ": set method = \"soft\", or let them part with it first and start from the folder of that run",
+            }
         ))),
         _ => Ok(()),
     }

@@ -3,6 +3,7 @@
 //! A body's scene says the `Material`, the `Bodies` and the `Method`; `build` makes a `Packing` of them. A
 //! [`PackingRun`] runs it: the `PackingBody` says its loads, its measures and when it ends.
 
+mod about;
 mod active_modes;
 pub mod assembly;
 mod body;
@@ -32,6 +33,7 @@ mod stress;
 mod totals;
 mod volume;
 mod world;
+mod write;
 
 pub use active_modes::{ActiveModes, ModeSet};
 pub use assembly::Assembly;
@@ -39,13 +41,14 @@ pub(crate) use body::{ContactKeys, MeasuredState, MeasurementSchedule, PackingBo
 pub use cost::PackingCost;
 pub(crate) use cost::{BYTES_A_SPHERE, SOFT_SECONDS, stable_step, stable_step_between};
 pub use energy::{Dissipation, PackingEnergy};
-pub(crate) use initial_state::{InitialSpheres, deepest, given};
+pub(crate) use initial_state::{InitialSpheres, SAME_PERIOD, deepest, given};
 pub(crate) use kinds::{Kinds, mixed, origin};
 pub use limits::Limits;
 pub use material::Material;
 pub(crate) use optional_features::{OptionalFeatures, SecondMaterial, SecondMaterialKeys};
 pub use placement_error::{MOST_SPHERES, PlacementError};
-pub use read::AssemblyError;
+pub use read::{AssemblyError, PackingColumns, PackingColumnsError, PackingFormat};
+pub(crate) use read::{COLUMNS, COLUMNS_ALONE};
 pub use run::PackingRun;
 pub use run_error::PackingRunError;
 pub use setting_error::SettingError;
@@ -60,3 +63,4 @@ pub use stress::Stress;
 pub(crate) use totals::Totals;
 pub use volume::volume_between;
 pub(crate) use world::{Bodies, Method, Packing, Springs, branch, build, build_with, is_at};
+pub use write::WrittenPacking;

@@ -145,8 +145,8 @@ impl WorldSnapshot {
         })
     }
 
-    /// Whether the state has these numbers of spheres and walls, and forces only between them.
-    pub fn fits(&self, spheres: usize, walls: usize) -> bool {
+    /// Whether the state has these numbers of spheres and walls, and forces only between them, or at a mesh.
+    pub fn fits(&self, spheres: usize, walls: usize, has_mesh: bool) -> bool {
         let lengths = [
             self.positions.len(),
             self.motions.len(),
@@ -158,7 +158,7 @@ impl WorldSnapshot {
             pairs.iter().all(|([a, b], _)| known(*a) && known(*b))
                 && plates
                     .iter()
-                    .all(|([a, wall], _)| known(*a) && (*wall as usize) < walls)
+                    .all(|([a, wall], _)| known(*a) && (has_mesh || (*wall as usize) < walls))
         };
         lengths.iter().all(|&length| length == spheres)
             && self.walls.len() == walls

@@ -8,7 +8,7 @@ use std::fmt::Debug;
 use tribos_base::record::{ContactRow, Partner};
 use tribos_base::space::PeriodicBox;
 use tribos_contacts::cd::{
-    EnergyBalance, StepLimits, StepReport, Wall, WorldError, WorldMaterials, solid,
+    EnergyBalance, StepLimits, StepReport, Wall, WorldError, WorldMaterials,
 };
 use tribos_contacts::problem::GlobalProblem;
 use tribos_contacts::soft::{AxisControl, SoftContact, SoftSetup, SoftState, SoftWorld};
@@ -25,18 +25,18 @@ struct SoftPacking<F: ContactFriction<f64>> {
     limits: StepLimits,
 }
 
-/// A packing with these contact modes.
+/// A packing of these spheres, with a mesh if there is one, and these contact modes.
 pub(super) fn boxed<F: ContactFriction<f64> + Debug + 'static>(
-    density: impl Fn(usize) -> f64,
+    spheres: Vec<SphereBody<f64>>,
     (bodies, extras): (Bodies, &OptionalFeatures),
     springs: &Springs,
     frozen: Option<&WorldSnapshot>,
     laws: WorldMaterials<F>,
 ) -> Result<Box<dyn Packing>, PackingRunError> {
     let limits = springs.step_limits;
-    let spheres = bodies.radii.iter().enumerate();
     let mut setup = SoftSetup {
-        spheres: spheres.map(|(i, &r)| solid(r, density(i))).collect(),
+        spheres,
+        mesh: extras.mesh.clone(),
         space: bodies.space,
         positions: bodies.positions,
         radii: bodies.radii,
@@ -164,6 +164,13 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
 
     fn walls_mut(&mut self) -> &mut [Wall] {
         &mut self.world.state_mut().walls
+    }
+
+    fn place(&mut self, sphere: usize, at: Vector3<f64>, velocity: Vector3<f64>) {
+        let state = self.world.state_mut();
+        state.positions[sphere] = at;
+        let body = &mut state.spheres[sphere];
+        (body.velocity, body.spin) = (velocity, Vector3::zeros());
     }
 
     fn set_gravity(&mut self, gravity: Vector3<f64>) {

@@ -115,14 +115,15 @@ impl Stored {
             frozen: WorldSnapshot::read(&value)?,
         };
         let (spheres, walls) = (stored.shape.radii.len(), stored.shape.outward.len());
+        let has_mesh = stored.scene["mesh"].is_string();
         let known = |row: &ContactRow| {
             let b = match row.b {
                 Partner::Particle(b) => (b as usize) < spheres,
-                Partner::Wall(wall) => (wall as usize) < walls,
+                Partner::Wall(wall) => has_mesh || (wall as usize) < walls,
             };
             b && (row.a as usize) < spheres
         };
-        if stored.frozen.fits(spheres, walls) && stored.shape.contacts.iter().all(known) {
+        if stored.frozen.fits(spheres, walls, has_mesh) && stored.shape.contacts.iter().all(known) {
             Ok(stored)
         } else {
             Err(damaged("numbers of spheres"))

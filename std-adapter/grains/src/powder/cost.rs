@@ -81,7 +81,8 @@ pub fn stable_step(scene: &PowderScene) -> Option<f64> {
 /// Number of spheres in the deposit; `None` if width and capture radius are incompatible.
 fn expected_spheres(scene: &PowderScene) -> f64 {
     if let Some(path) = &scene.initial_state {
-        return Assembly::read(path).map_or(0.0, |spheres| spheres.radii.len() as f64);
+        return Assembly::read_as(path, scene.columns.as_ref())
+            .map_or(0.0, |spheres| spheres.radii.len() as f64);
     }
     let spheres = |ballistic: Ballistic| ballistic.expected_spheres(scene.until());
     scene.ballistic().map_or(0.0, spheres)

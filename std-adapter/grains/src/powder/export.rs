@@ -9,8 +9,8 @@ use crate::packing::{Kinds, Material, Method, Springs, stable_step_between};
 use crate::powder::scene::PowderScene;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
-use std::fmt::Write as _;
 use std::ops::ControlFlow;
+use tribos_base::exchange::lammps::{SphereRows, sphere_data_file};
 use tribos_base::record::number;
 use tribos_contacts::cd::Wall;
 use tribos_contacts::soft::Stiffness;
@@ -151,23 +151,20 @@ fn volume(radius: f64) -> f64 {
 
 /// Spheres with their materials as types and their densities as a data file.
 fn data(scene: &PowderScene, (deposit, kinds): (&Deposit, &Kinds)) -> String {
-    let types = if kinds.mixed().is_some() { 2 } else { 1 };
-    let [width, low, high] = [scene.width, -ROOM, deposit.height + ROOM].map(number);
-    let mut text = format!(
-        "LAMMPS data file by tribos\n\n{} atoms\n{types} atom types\n\n\
-         0 {width} xlo xhi\n0 {width} ylo yhi\n{low} {high} zlo zhi\n\nAtoms # sphere\n\n",
-        deposit.radii.len()
-    );
-    for (index, (radius, at)) in deposit.radii.iter().zip(&deposit.positions).enumerate() {
-        let (kind, density) = (kinds.materials[index], kinds.densities[index]);
-        let [diameter, density, x, y, z] = [2.0 * radius, density, at.x, at.y, at.z].map(number);
-        let _ = writeln!(
-            text,
-            "{} {kind} {diameter} {density} {x} {y} {z}",
-            index + 1
-        );
-    }
-    text
+    sphere_data_file(&SphereRows {
+        bounds: [
+            [0.0, scene.width],
+            [0.0, scene.width],
+            [-ROOM, deposit.height + ROOM],
+        ],
+        tilt: 0.0,
+        positions: &deposit.positions,
+        radii: &deposit.radii,
+        materials: kinds.mixed(),
+        densities: &kinds.densities,
+        velocities: None,
+        spins: None,
+    })
 }
 
 /// The law of the spheres, and that of substrate and piston, in the words of the pair style.

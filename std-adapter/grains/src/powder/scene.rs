@@ -2,7 +2,7 @@
 
 use crate::packing::PlacementError;
 use crate::packing::method::{ContactMethod, FrictionCoupling, NormalForce, WallLaw, soft_rules};
-use crate::packing::{SIZES, SizeDistribution};
+use crate::packing::{COLUMNS, COLUMNS_ALONE, PackingColumns, SIZES, SizeDistribution};
 use crate::powder::deposit::{Ballistic, DepositTarget};
 use std::path::PathBuf;
 use tribos_base::scene::entries::Written;
@@ -128,8 +128,11 @@ scene! {
     height: f64 = 61.5, "R", Positive, UnlessEither("count", "initial_state");
     /// Number of spheres, in place of `height`.
     count: Option<usize> = None, "-", Count { from: 1.0, up_to: 1e6 };
-    /// Spheres to start from in place of a deposit: a file (extended XYZ, LAMMPS data or dump, VTP), or the folder of a run, whose last state goes on.
+    /// Spheres to start from in place of a deposit: a file (XYZ, a table, LAMMPS, VTK, MercuryDPM and others; see `tribos packing`), or the folder of a run, whose last state goes on.
     initial_state was start: Option<PathBuf> = None, "-", Path;
+    /// Columns of a table that `initial_state` names, or arrays of a file of VTK, where the file does not say them: names in their
+    /// order, `-` for one that is not read, `NAME=COLUMN` or `NAME=all:VALUE`.
+    columns: Option<PackingColumns> = None, "-", COLUMNS;
     /// Distance of centres at which a falling sphere is captured, at least the largest diameter.
     // Thesis, section 4.5.
     capture_radius: f64 = 3.0, "R", Positive;
@@ -242,6 +245,9 @@ fn rules(scene: &PowderScene, judge: &mut SceneDiagnostics<'_>) {
             scene.attraction,
             [scene.restitution, scene.second_fraction],
         );
+    }
+    if scene.columns.is_some() && scene.initial_state.is_none() {
+        judge.refuse(&["columns"], COLUMNS_ALONE);
     }
     if let Some(start) = &scene.initial_state {
         if scene.count.is_some() || scene.size_distribution.is_some() || scene.radius_spread > 0.0 {

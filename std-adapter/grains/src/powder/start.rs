@@ -35,7 +35,12 @@ pub(super) fn start(
 /// Spheres of a file or a run, between substrate and piston.
 fn read(scene: &PowderScene, path: &Path) -> Result<(Deposit, InitialSpheres), AssemblyError> {
     let width = Some((scene.width, "width"));
-    let mut assembly = given(path, [width, width, None], (1.0, scene.method))?;
+    let mut assembly = given(
+        (path, scene.columns.as_ref()),
+        [width, width, None],
+        (1.0, scene.method),
+        |_| false,
+    )?;
     in_units_of_first(&mut assembly);
     let of_powder = [Vector3::z(), -Vector3::z()];
     let drawn = (scene.seed, scene.second_fraction);

@@ -155,8 +155,7 @@ fn arrays_as_text_and_in_single_precision_are_read() {
         ),
         (
             file("format=\"appended\" offset=\"0\"", points, ""),
-            "a.vtp: the array radius is appended to the file; in ParaView save it with Data Mode Ascii or \
-             Binary and Compressor Type None",
+            "a.vtp: the array radius is damaged",
         ),
         ("<html></html>".into(), "a.vtp: it is no VTK file"),
     ] {
@@ -168,7 +167,7 @@ fn arrays_as_text_and_in_single_precision_are_read() {
 fn files_without_radii_tilted_or_cut_are_refused_by_line() {
     let head = "1\nLattice=\"4 0 0 0 4 0 0 0 4\" Properties=species:S:1:pos:R:3";
     for (text, reason) in [
-        (format!("{head}\nX 1 1 1\n"), "f: line 2: there are no radii; give a column radius:R:1"),
+        (format!("{head}\nX 1 1 1\n"), "f: line 2: there are no radii; give a column radius:R:1, or one radius of all by --columns radius=all:VALUE (key `columns`)"),
         (format!("{head}:radius:R:1\nX 1 1 1 0\n"), "f: line 3: the size of a sphere must be a number > 0, not `0`"),
         (format!("{head}:radius:R:1\nX 1 1 1 0,5\n"), "f: line 3: the size of a sphere must be a finite number (write a decimal point: 0.5), not `0,5`"),
         (
@@ -188,7 +187,8 @@ fn files_without_radii_tilted_or_cut_are_refused_by_line() {
         (
             "ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp ff ff\n0 4\n0 4\n0 9\n\
              ITEM: ATOMS id type x y z\n3 1 1 1 1\n".into(),
-            "f: line 9: there are no radii; dump the column radius or diameter",
+            "f: line 9: there are no radii; dump the column radius or diameter, or one radius of all by --columns \
+             radius=all:VALUE (key `columns`)",
         ),
         ("{\"tribos_state\":1}".into(), "f: it is damaged (its digest is not that of its bytes); give a state or a checkpoint of a powder or of \
              grains"),

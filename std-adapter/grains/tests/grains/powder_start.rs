@@ -200,7 +200,8 @@ fn starts_that_do_not_fit_are_refused_with_what_would() -> Tested {
     );
     assert_eq!(
         told(&file(8.0, 2.8, 1.0))?,
-        "spheres 0 and 1 (from 0) overlap by 20.000 % of the smaller radius; at most 5 % is taken"
+        "spheres 0 and 1 (from 0) overlap by 20.000 % of the smaller radius; at most 5 % is taken: set method = \"soft\", or let \
+         them part with it first and start from the folder of that run"
     );
     assert_eq!(
         told(&file(8.0, 3.0, 0.001))?,

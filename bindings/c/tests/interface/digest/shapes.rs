@@ -3,15 +3,20 @@
 use super::stream::{Precision, Range, Stream};
 use super::surfaces::{feed_projection, feed_step};
 use tribos_core::contact::TimeStep;
+use tribos_core::coupling::WornAnnulus;
 use tribos_core::coupling::coulomb::{CoulombDisk, CoulombHertz, CoulombParaboloid, CoulombPunch};
 use tribos_core::coupling::flat::{PatchShape, ShapeFriction};
 use tribos_core::floor::{Feet, Foot, SteadyState};
 use tribos_core::limit_surface::{FrictionSet, RoundLimitSurface, ShapeLimitSurface};
 use tribos_core::patch::affine_image::AffineImage;
 use tribos_core::patch::anisotropic::{AnisotropicPatch, AxisCoefficients};
+use tribos_core::patch::bar::Bar;
 use tribos_core::patch::ellipse::{Ellipse, EllipsePressure};
+use tribos_core::patch::feet::{CompoundPatch, PatchPart};
+use tribos_core::patch::nodes::{Node, Nodes};
 use tribos_core::patch::outline::{Edge, Polygon, PressureField};
 use tribos_core::patch::piece::HalfPlane;
+use tribos_core::patch::points::PointPatch;
 use tribos_core::patch::round::RoundPatch;
 use tribos_core::planar::PlanarBody;
 use tribos_core::twist::{Twist, Wrench};
@@ -96,6 +101,31 @@ impl<R: Precision> Case<R> {
             EllipsePressure::Hertz => of!(CoulombHertz),
             EllipsePressure::Paraboloid => of!(CoulombParaboloid),
         }
+    }
+
+    /// Bars, a worn annulus, which takes one coefficient, and points.
+    fn feed_others(&self, s: &mut Stream, x: &[R; 8], centre: [R; 2]) {
+        let bar = Bar::new([x[0], -x[1]], [-x[2], x[3]]).ok();
+        self.feed_both(s, bar, bar);
+        // In C a centre of 0 is uniform pressure.
+        let lean = centre[0] / R::from_f64(8.0);
+        if lean == R::ZERO {
+            self.feed_both(s, bar, bar);
+        } else {
+            let bar = bar.and_then(|bar| bar.with_centre_of_pressure(lean).ok());
+            self.feed_both(s, bar, bar);
+        }
+        let worn = WornAnnulus::new(self.p[6] * R::HALF).ok();
+        let worn = worn.and_then(|worn| RoundPatch::new(worn, centre, self.p[7]).ok());
+        self.feed_both(s, worn, None::<Ellipse<R>>);
+        let places = [[x[0], x[1]], [-x[1], x[3]], [x[4], -x[3]]];
+        let nodes = [0, 1, 2].map(|i| Node {
+            x: places[i][0],
+            y: places[i][1],
+            weight: self.p[i],
+        });
+        let points = Nodes::new(nodes).and_then(PointPatch::new).ok();
+        self.feed_both(s, points, points);
     }
 
     fn feed_feet(&self, s: &mut Stream, feet: &[Foot<R, &dyn PatchShape<R>>]) {
@@ -187,6 +217,13 @@ impl<R: Precision> Case<R> {
                 own.as_ref()?,
             ])
         })();
+        if let Some(all) = all {
+            let parts = [0, 1, 2].map(|i| PatchPart {
+                patch: all[i],
+                load: limits[i],
+            });
+            self.feed_both(s, CompoundPatch::new(&parts).ok(), None::<Ellipse<R>>);
+        }
         let feet = all.map(|all| {
             [0, 1, 2].map(|i| Foot {
                 patch: all[i],
@@ -219,6 +256,7 @@ pub fn all<R: Precision>(s: &mut Stream, range: Range) {
     let turned = [[x[2], x[3]], [-x[4], x[5]]];
     let turned = Ellipse::with_half_diameters(centre, turned, pressure).ok();
     case.feed_both(s, turned, turned);
+    case.feed_others(s, &x, centre);
     let corners = [[x[0], x[1]], [-x[2], x[3]], [-x[4], -x[5]], [x[6], -x[7]]];
     let patch = Polygon::with_holes(&[&corners], [Edge::default(); 8]);
     let Some(patch) = s.ok(patch) else { return };

@@ -35,18 +35,22 @@ impl Format {
 /// Lines of a data file that are searched for its head.
 const HEAD: usize = 200;
 
-/// The format of a file that has what each begins with; others are refused, with what was expected.
-pub fn recognised(text: &str) -> Result<Format, TextError> {
-    let format = Format::of(text);
-    let is_head = |line: &str| {
+/// Whether a text has lines that only the head of a data file of LAMMPS has.
+pub fn is_lammps_data(text: &str) -> bool {
+    text.lines().take(HEAD).any(|line| {
         let line = line.split('#').next().unwrap_or_default();
         let words: Vec<&str> = line.split_whitespace().collect();
         matches!(
             words[..],
             [_, "atoms"] | [_, "atom", "types"] | [_, _, "xlo", "xhi"]
         )
-    };
-    if format != Format::Data || text.trim().is_empty() || text.lines().take(HEAD).any(is_head) {
+    })
+}
+
+/// The format of a file that has what each begins with; others are refused, with what was expected.
+pub fn recognised(text: &str) -> Result<Format, TextError> {
+    let format = Format::of(text);
+    if format != Format::Data || text.trim().is_empty() || is_lammps_data(text) {
         return Ok(format);
     }
     let first = text.lines().next().unwrap_or_default().trim();

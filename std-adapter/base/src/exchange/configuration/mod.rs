@@ -2,9 +2,9 @@
 
 mod format;
 
-#[doc(hidden)]
-pub use format::recognised;
 pub use format::{Format, read};
+#[doc(hidden)]
+pub use format::{is_lammps_data, recognised};
 
 use super::atoms::Atoms;
 use crate::space::{PeriodicBox, SpaceError};

@@ -1,18 +1,13 @@
 //! The second line of a frame: `key=value`, values with blanks in quotes.
 
-use crate::exchange::spheres::Weight;
+use crate::exchange::sphere_columns::SphereColumn;
+use crate::exchange::spheres::{Cell, Weight};
 use crate::exchange::text::{Line, TextError};
 
 /// Contents of the line.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Header {
-    /// Ends of the cell, if there is one.
-    pub bounds: Option<[[f64; 2]; 3]>,
-    /// Displacement along x of the third edge of the cell.
-    pub tilt: f64,
-    pub is_periodic: [bool; 3],
-    /// Whether the line says neither `pbc` nor `Lattice`.
-    pub is_silent: bool,
+    pub cell: Cell,
     /// Number of columns.
     pub count: usize,
     /// First column of each property.
@@ -21,7 +16,8 @@ pub(super) struct Header {
     pub place: usize,
     pub velocity: Option<usize>,
     pub id: Option<usize>,
-    pub radius: Option<usize>,
+    /// Column of the size, and its ratio to the radius.
+    pub size: Option<(usize, f64)>,
     pub spin: Option<usize>,
     pub material: Option<usize>,
     pub weight: Option<(usize, Weight)>,
@@ -30,75 +26,97 @@ pub(super) struct Header {
 /// Columns of a file without `Properties`.
 const PLAIN: &str = "species:S:1:pos:R:3";
 
+/// The cell that a line of `Lattice`, `Origin` and `pbc` says.
+pub(super) fn cell(line: Line) -> Result<Cell, TextError> {
+    let entries = entries(line)?;
+    let find = |key: &str| find(&entries, key);
+    let origin = match find("Origin") {
+        Some(text) => numbers(line, "Origin", text)?,
+        None => [0.0; 3],
+    };
+    let lattice = find("Lattice")
+        .map(|text| lattice(line, text))
+        .transpose()?;
+    let is_periodic = match find("pbc") {
+        Some(text) => periods(line, text)?,
+        None => [lattice.is_some(); 3],
+    };
+    if lattice.is_none() && is_periodic.contains(&true) {
+        return Err(line.missing("Lattice", "a periodic axis needs its length"));
+    }
+    let (lattice, tilt) = match lattice {
+        Some((edges, tilt)) => (Some(edges), tilt),
+        None => (None, 0.0),
+    };
+    if tilt != 0.0 && !(is_periodic[0] && is_periodic[2]) {
+        return Err(line.missing(
+            "pbc",
+            "a cell that leans along x over z is periodic along both",
+        ));
+    }
+    let bounds = |lengths: [f64; 3]| {
+        std::array::from_fn(|axis| [origin[axis], origin[axis] + lengths[axis]])
+    };
+    Ok(Cell {
+        bounds: lattice.map(bounds),
+        tilt,
+        is_periodic,
+        is_silent: find("pbc").is_none() && lattice.is_none(),
+    })
+}
+
+/// The value of a key.
+fn find<'a>(entries: &[(&str, &'a str)], key: &str) -> Option<&'a str> {
+    let mut entries = entries.iter();
+    let found = entries.find(|(name, _)| name.eq_ignore_ascii_case(key));
+    found.map(|&(_, value)| value)
+}
+
 impl Header {
     pub fn read(line: Line) -> Result<Self, TextError> {
         let entries = entries(line)?;
-        let find = |key: &str| {
-            let mut entries = entries.iter();
-            entries
-                .find(|(name, _)| name.eq_ignore_ascii_case(key))
-                .map(|&(_, value)| value)
-        };
-        let origin = match find("Origin") {
-            Some(text) => numbers(line, "Origin", text)?,
-            None => [0.0; 3],
-        };
-        let lattice = find("Lattice")
-            .map(|text| lattice(line, text))
-            .transpose()?;
-        let is_periodic = match find("pbc") {
-            Some(text) => periods(line, text)?,
-            None => [lattice.is_some(); 3],
-        };
-        if lattice.is_none() && is_periodic.contains(&true) {
-            return Err(line.missing("Lattice", "a periodic axis needs its length"));
-        }
-        let (lattice, tilt) = match lattice {
-            Some((edges, tilt)) => (Some(edges), tilt),
-            None => (None, 0.0),
-        };
-        if tilt != 0.0 && !(is_periodic[0] && is_periodic[2]) {
-            return Err(line.missing(
-                "pbc",
-                "a cell that leans along x over z is periodic along both",
-            ));
-        }
-        let bounds = |lengths: [f64; 3]| {
-            std::array::from_fn(|axis| [origin[axis], origin[axis] + lengths[axis]])
-        };
-        let properties = properties(line, find("Properties").unwrap_or(PLAIN))?;
-        let column = |names: &[&str], kind: &str, width: usize| {
+        let properties = properties(line, find(&entries, "Properties").unwrap_or(PLAIN))?;
+        let column = |is_named: &dyn Fn(&str) -> bool, kind: &str, width: usize| {
             let mut properties = properties.iter();
-            let matches =
-                |p: &&Property| names.contains(&p.name) && p.kind == kind && p.width == width;
+            let matches = |p: &&Property| is_named(p.name) && p.kind == kind && p.width == width;
             properties.find(matches).map(|property| property.from)
         };
-        let radius = column(&["radius", "radii", "Radius"], "R", 1);
-        let species = column(&["species"], "S", 1).or_else(|| column(&["species"], "I", 1));
-        if species.is_none() && radius.is_none() {
+        let named = |name: &'static str| move |given: &str| given == name;
+        let scalar = |wanted: SphereColumn, kind: &str| {
+            column(&|name| SphereColumn::scalar(name) == Some(wanted), kind, 1)
+        };
+        let vector = |first: SphereColumn| {
+            column(
+                &|name| SphereColumn::vector(name) == Some(first as usize),
+                "R",
+                3,
+            )
+        };
+        let radius = scalar(SphereColumn::Radius, "R").map(|at| (at, 1.0));
+        let size = radius.or(scalar(SphereColumn::Diameter, "R").map(|at| (at, 0.5)));
+        let species =
+            column(&named("species"), "S", 1).or_else(|| column(&named("species"), "I", 1));
+        if species.is_none() && size.is_none() {
             return Err(line.missing(
                 "species:S:1",
                 "Properties must name it, or radius:R:1 of spheres",
             ));
         }
-        let density = column(&["density", "Density"], "R", 1).map(|at| (at, Weight::Density));
-        let mass = column(&["mass", "masses", "Mass"], "R", 1).map(|at| (at, Weight::Mass));
+        let density = scalar(SphereColumn::Density, "R").map(|at| (at, Weight::Density));
+        let mass = scalar(SphereColumn::Mass, "R").map(|at| (at, Weight::Mass));
         Ok(Self {
-            bounds: lattice.map(bounds),
-            tilt,
-            is_periodic,
-            is_silent: find("pbc").is_none() && lattice.is_none(),
+            cell: cell(line)?,
             count: properties.iter().map(|property| property.width).sum(),
             species,
-            place: column(&["pos"], "R", 3)
+            place: column(&named("pos"), "R", 3)
                 .ok_or_else(|| line.missing("pos:R:3", "Properties must name it"))?,
-            velocity: column(&["vel", "velo", "velocities"], "R", 3),
-            id: column(&["id"], "I", 1),
-            radius,
-            spin: column(&["omega", "angular_velocity"], "R", 3),
-            material: column(&["material"], "I", 1),
-            // A mass is a density where there is a radius.
-            weight: density.or(mass.filter(|_| radius.is_some())),
+            velocity: vector(SphereColumn::VelocityX),
+            id: column(&named("id"), "I", 1),
+            size,
+            spin: vector(SphereColumn::SpinX),
+            material: scalar(SphereColumn::Material, "I"),
+            // A mass is a density where there is a size.
+            weight: density.or(mass.filter(|_| size.is_some())),
         })
     }
 }

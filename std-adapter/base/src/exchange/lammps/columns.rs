@@ -7,8 +7,10 @@ use crate::exchange::text::{Line, TextError};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Columns {
     pub count: usize,
-    pub id: usize,
-    pub species: usize,
+    /// None of spheres that are not numbered.
+    pub id: Option<usize>,
+    /// None of spheres that are all of one type.
+    pub species: Option<usize>,
     pub place: [usize; 3],
     /// Whether positions are fractions of the box.
     pub is_scaled: bool,
@@ -39,8 +41,8 @@ impl Columns {
             _ => None,
         };
         let need = |name: &'static str| {
-            let cure = || format!("dump it: ITEM: ATOMS names the columns {}", names.join(" "));
-            find(name).ok_or_else(|| item.missing(name, cure()))
+            let cure = format!("dump it: ITEM: ATOMS names the columns {}", names.join(" "));
+            item.missing(name, cure)
         };
         let mut places = PLACES.iter();
         let place = places.find_map(|&(names, is_scaled, is_wrapped)| {
@@ -55,6 +57,10 @@ impl Columns {
             .or(find("diameter").map(|at| (at, 0.5)));
         let density = find("density").map(|at| (at, Weight::Density));
         let mass = find("mass").map(|at| (at, Weight::Mass));
+        let need = |name: &'static str| match (find(name), size) {
+            (None, None) => Err(need(name)),
+            (found, _) => Ok(found),
+        };
         Ok(Self {
             count: names.len(),
             id: need("id")?,

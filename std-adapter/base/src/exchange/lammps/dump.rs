@@ -48,9 +48,7 @@ pub fn sphere_frames(
     let mut lines = Lines::new(text);
     let mut is_over = false;
     std::iter::from_fn(move || {
-        while lines.peek().is_some_and(|line| line.text.trim().is_empty()) {
-            lines.next();
-        }
+        lines.skip_blank_lines();
         if is_over || lines.peek().is_none() {
             return None;
         }
@@ -87,8 +85,8 @@ fn frame(lines: &mut Lines) -> Result<(Configuration, Spheres), TextError> {
                 head.atoms = Some(count(lines, "the number of atoms", u64::from(u32::MAX))?);
             }
             ["BOX", "BOUNDS", flags @ ..] => head.read_box(line, flags, lines)?,
-            // Units and time are not needed.
-            ["UNITS" | "TIME"] => {
+            // Units, time and a title are not needed.
+            ["UNITS" | "TIME" | "LABEL"] => {
                 lines.need("what follows an item", CUT_SHORT)?;
             }
             ["ATOMS", columns @ ..] => {
@@ -245,9 +243,15 @@ fn atom(
         return Err(line.invalid("a line of an atom", valid, line.text));
     }
     let three = |what, at: [usize; 3]| vector(line, what, at.map(|column| words[column]));
-    let id = line.whole("the number of an atom", 1..=u64::MAX, words[columns.id])?;
+    let id = match columns.id {
+        Some(at) => line.whole("the number of an atom", 1..=u64::MAX, words[at])?,
+        None => all.ids.len() as u64 + 1,
+    };
     let kinds = 1..=MOST_SPECIES as u64;
-    let species = line.whole("the type", kinds, words[columns.species])?;
+    let species = match columns.species {
+        Some(at) => line.whole("the type", kinds, words[at])?,
+        None => 1,
+    };
     let mut place = three("a coordinate", columns.place)?;
     let lengths = all.lengths();
     if columns.is_scaled {

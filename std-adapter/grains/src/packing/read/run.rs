@@ -1,6 +1,6 @@
 //! States in the folder of a run.
 
-use super::{Assembly, AssemblyError, text};
+use super::{Assembly, AssemblyError, bytes};
 use crate::packing::assembly::KnownForces;
 use crate::packing::{STATE, mixed, scene};
 use nalgebra::Vector3;
@@ -19,7 +19,7 @@ pub(super) fn last_state(folder: &Path) -> Result<Assembly, AssemblyError> {
     for name in [STATE, CHECKPOINT, SPHERES] {
         let file = folder.join(name);
         if file.exists() {
-            return Assembly::parse(&file.display().to_string(), &text(&file)?);
+            return Assembly::parse_as(&file.display().to_string(), &bytes(&file)?, None);
         }
     }
     Err(AssemblyError::Content {
