@@ -64,8 +64,12 @@ fn rows<T>(
     });
     let refused = |error: TableError| FrictionError::Syntax(error.to_string());
     let mut rows = opened.map_err(|error| {
+        let text = error.to_string();
         let names = OPTIONAL.map(|(name, _)| name).join(", ");
-        FrictionError::Syntax(format!("{error}; beside them there may be {names}"))
+        FrictionError::Syntax(match text.contains("the header must be") {
+            true => format!("{text}; beside them there may be {names}"),
+            false => text,
+        })
     })?;
     let mut all = Vec::new();
     let mut numbers = vec![0.0; columns.len() - 1];

@@ -380,10 +380,16 @@ fn every_area_has_the_limit_surfaces_of_the_kernel() {
     for name in ROUND {
         with_dry(name, Compare(name));
         let round = area(name).limit_surfaces().unwrap();
-        assert!(matches!(
-            round.torque_limits(1.0, [0.0; 2]),
-            Err(FrictionError::Unserved(_))
-        ));
+        // Beside half of the largest force, and alone.
+        for force in [[0.0; 2], [0.3, -0.4]] {
+            let [low, high] = round.torque_limits(1.0, force).unwrap();
+            let wrench = Wrench::new(force[0], force[1], high);
+            let gauge = round.under(1.0, |set| set.gauge(&wrench)).unwrap();
+            assert!(
+                low == -high && high > 0.0 && (gauge - 1.0).abs() < 1e-12,
+                "{name}: {high} {gauge}"
+            );
+        }
     }
     for name in SHAPES {
         with_shape(name, Compare(name));

@@ -870,11 +870,11 @@ class GrainsScene(Scene):
         *Value*: a finite number > 0.
     fixed_kinds
         Types of `initial_state` whose grains stay where they are in the box, whatever pushes them:
-        rough bottoms and obstacles. Those that `rough_floor` glues are of type 3. *Value*: a whole
+        rough bottoms and obstacles. Those that `rough_floor` glues are of type 7. *Value*: a whole
         number from 1 to 9, or types such as "2, 3".
     driven_kinds
         Types of `initial_state` whose grains move as one body with the driven velocity, without
-        rotation. The intruder is of type 4. *Value*: a whole number from 1 to 9, or types such as
+        rotation. The intruder is of type 8. *Value*: a whole number from 1 to 9, or types such as
         "2, 3".
     intruder_radius
         Radius of an intruder, a sphere that moves with the driven velocity through the grains.

@@ -7,9 +7,9 @@ use crate::packing::InitialSpheres;
 use nalgebra::Vector3;
 
 /// Types of the grains that a scene adds: on the floor, the intruder, on the plate above.
-pub(super) const FLOOR: u8 = 3;
-pub(super) const DRIVEN: u8 = 4;
-pub(super) const LID: u8 = 5;
+pub(super) const FLOOR: u8 = 7;
+pub(super) const DRIVEN: u8 = 8;
+pub(super) const LID: u8 = 9;
 
 impl GrainTypes {
     pub(super) const FLOOR: Self = Self::one(FLOOR);

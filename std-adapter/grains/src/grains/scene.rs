@@ -146,10 +146,10 @@ scene! {
     /// Radius of grains glued to the plate above in the same way, which move with it.
     rough_lid: Option<f64> = None, "m", Positive, OnlyWith("boundary_z", "walls");
     /// Types of `initial_state` whose grains stay where they are in the box, whatever pushes them: rough bottoms and
-    /// obstacles. Those that `rough_floor` glues are of type 3.
+    /// obstacles. Those that `rough_floor` glues are of type 7.
     fixed_kinds: GrainTypes = GrainTypes::FLOOR, "-", TYPES;
     /// Types of `initial_state` whose grains move as one body with the driven velocity, without rotation. The intruder is
-    /// of type 4.
+    /// of type 8.
     driven_kinds: GrainTypes = GrainTypes::DRIVEN, "-", TYPES;
     /// Radius of an intruder, a sphere that moves with the driven velocity through the grains.
     intruder_radius: Option<f64> = None, "m", Positive, Without("initial_state");
@@ -394,7 +394,7 @@ fn bound_rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
         judge.refuse(&["rough_floor", "boundary_z", "container"], message);
     }
     if scene.rough_lid.is_some() && scene.initial_state.is_some() {
-        let message = "`initial_state` has its own glued grains, of type 5; leave out `rough_lid`";
+        let message = "`initial_state` has its own glued grains, of type 9; leave out `rough_lid`";
         judge.refuse(&["rough_lid", "initial_state"], message);
     }
     if scene.rough_lid.is_some() && scene.wall_stress_z.is_some() {
