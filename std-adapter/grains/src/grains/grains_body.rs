@@ -50,9 +50,10 @@ impl GrainsBody {
     /// Mass of a piston, and of an axis of the box under a stress.
     fn piston_mass(&self, start: &InitialSpheres) -> f64 {
         self.scene.piston_mass.unwrap_or_else(|| {
-            let grains = start.radii.iter().zip(&start.kinds.densities);
-            grains
-                .map(|(radius, density)| density * volume(*radius))
+            let is_bound = |grain: usize| self.loads.bound().iter().any(|held| held.grain == grain);
+            let grains = start.radii.iter().zip(&start.kinds.densities).enumerate();
+            let free = grains.filter(|(grain, _)| !is_bound(*grain));
+            free.map(|(_, (radius, density))| density * volume(*radius))
                 .sum()
         })
     }

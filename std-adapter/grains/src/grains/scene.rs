@@ -365,6 +365,12 @@ fn rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
             (None, Some(_)) => keys[1],
             (None, None) => continue,
         };
+        if scene.is_periodic(axis) && scene.has_bound() {
+            let message = format!(
+                "`{given}` deforms the box, which then has no glued or driven grains and no `mesh`"
+            );
+            judge.refuse(&[given], message);
+        }
         if let Some(reason) = scene.no_control(axis) {
             judge.refuse(&[given], format!("`{given}` {reason}"));
         }
@@ -482,18 +488,30 @@ impl GrainsScene {
         }
     }
 
-    /// Why nothing moves along an axis that a stress or a speed could drive.
-    fn no_control(&self, axis: Axis) -> Option<&'static str> {
-        let is_periodic = match axis {
+    /// Whether space repeats along an axis.
+    fn is_periodic(&self, axis: Axis) -> bool {
+        match axis {
             Axis::X => self.boundary_x == SideBoundary::Periodic,
             Axis::Y => self.boundary_y == SideBoundary::Periodic,
             Axis::Z => self.boundary_z == EndBoundary::Periodic,
-        };
+        }
+    }
+
+    /// Whether the scene adds bodies that no force moves.
+    fn has_bound(&self) -> bool {
+        self.rough_floor.is_some()
+            || self.rough_lid.is_some()
+            || self.intruder_radius.is_some()
+            || self.mesh.is_some()
+    }
+
+    /// Why nothing moves along an axis that a stress or a speed could drive.
+    fn no_control(&self, axis: Axis) -> Option<&'static str> {
         if self.container == Container::Drum || (axis == Axis::Y && self.is_flat()) {
             Some("has no wall and no period to move: a drum and a plane have none")
         } else if axis == Axis::Z && self.boundary_z == EndBoundary::Floor {
             Some("needs boundary_z = \"walls\" or \"periodic\"; above a floor the box is open")
-        } else if is_periodic && self.method != ContactMethod::Soft {
+        } else if self.is_periodic(axis) && self.method != ContactMethod::Soft {
             Some(
                 "moves a wall; a periodic box that deforms needs method = \"soft\", a wall the boundary \"walls\"",
             )
