@@ -21,14 +21,25 @@ pub struct PackingFile(Assembly);
 /// A refusal that names Python's keywords in the place of the command's options.
 fn told(error: impl std::fmt::Display) -> PyErr {
     let text = error.to_string();
-    refused(text.replace("--columns (key `columns`)", "columns").replace("--columns ", "columns "))
+    refused(
+        text.replace("--columns (key `columns`)", "columns")
+            .replace("--columns ", "columns "),
+    )
 }
 
 #[pymethods]
 impl PackingFile {
     #[new]
-    fn new(py: Python<'_>, path: PathBuf, columns: Option<&str>, periods: Option<[Option<f64>; 3]>) -> PyResult<Self> {
-        let columns = columns.map(str::parse::<PackingColumns>).transpose().map_err(refused)?;
+    fn new(
+        py: Python<'_>,
+        path: PathBuf,
+        columns: Option<&str>,
+        periods: Option<[Option<f64>; 3]>,
+    ) -> PyResult<Self> {
+        let columns = columns
+            .map(str::parse::<PackingColumns>)
+            .transpose()
+            .map_err(refused)?;
         let read = || {
             let read = Assembly::read_as(&path, columns.as_ref())?;
             match periods {
@@ -44,9 +55,24 @@ impl PackingFile {
         let (all, spheres) = (PyDict::new(py), &self.0);
         all.set_item("positions", rows(py, &spheres.positions)?)?;
         all.set_item("radii", PyArray1::from_slice(py, &spheres.radii))?;
-        all.set_item("densities", spheres.densities.as_ref().map(|all| PyArray1::from_slice(py, all)))?;
-        all.set_item("materials", spheres.materials.as_ref().map(|all| PyArray1::from_slice(py, all)))?;
-        for (name, vectors) in [("velocities", &spheres.velocities), ("spins", &spheres.spins)] {
+        all.set_item(
+            "densities",
+            spheres
+                .densities
+                .as_ref()
+                .map(|all| PyArray1::from_slice(py, all)),
+        )?;
+        all.set_item(
+            "materials",
+            spheres
+                .materials
+                .as_ref()
+                .map(|all| PyArray1::from_slice(py, all)),
+        )?;
+        for (name, vectors) in [
+            ("velocities", &spheres.velocities),
+            ("spins", &spheres.spins),
+        ] {
             all.set_item(name, vectors.as_ref().map(|all| rows(py, all)).transpose()?)?;
         }
         all.set_item("periods", spheres.space.lengths())?;
@@ -63,7 +89,10 @@ impl PackingFile {
     /// Writes a file in the format of its ending; what the format cannot hold.
     fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<Vec<&'static str>> {
         let format = PackingFormat::written_as(&path).ok_or_else(|| {
-            refused(format!("{}: the ending says the format; give .xyz, .vtp, .data, .csv or .txt", path.display()))
+            refused(format!(
+                "{}: the ending says the format; give .xyz, .vtp, .data, .csv or .txt",
+                path.display()
+            ))
         })?;
         detached(py, || {
             let written = self.0.written(format).map_err(told)?.unwrap_or_default();
