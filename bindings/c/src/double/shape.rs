@@ -68,12 +68,12 @@ const _: () = {
 
 /// Edges or points in memory of the caller.
 #[derive(Clone, Copy)]
-pub(crate) struct Lent<T> {
+pub(crate) struct LentRows<T> {
     first: *mut T,
     count: usize,
 }
 
-impl<T> Lent<T> {
+impl<T> LentRows<T> {
     #[inline(always)]
     unsafe fn new(first: *mut T, count: usize) -> Result<Self, tribos_status> {
         slice(first.cast_const(), count)?;
@@ -81,7 +81,7 @@ impl<T> Lent<T> {
     }
 }
 
-impl<T> AsRef<[T]> for Lent<T> {
+impl<T> AsRef<[T]> for LentRows<T> {
     #[inline(always)]
     fn as_ref(&self) -> &[T] {
         // SAFETY: the contract of a shape keeps them valid.
@@ -89,7 +89,7 @@ impl<T> AsRef<[T]> for Lent<T> {
     }
 }
 
-impl<T> AsMut<[T]> for Lent<T> {
+impl<T> AsMut<[T]> for LentRows<T> {
     #[inline(always)]
     fn as_mut(&mut self) -> &mut [T] {
         // SAFETY: as above; only the build of two coefficients writes.
@@ -100,7 +100,7 @@ impl<T> AsMut<[T]> for Lent<T> {
 /// Points and the sum of their weights.
 #[derive(Clone, Copy)]
 pub(crate) struct Points {
-    nodes: Lent<Node<f64>>,
+    nodes: LentRows<Node<f64>>,
     total_weight: f64,
 }
 
@@ -124,7 +124,7 @@ pub(crate) enum Kind {
     Paraboloid(RoundPatch<f64, CoulombParaboloid>),
     Worn(RoundPatch<f64, WornAnnulus<f64>>),
     Ellipse(Ellipse<f64>),
-    Polygon(Patch<Lent<Edge<f64>>>),
+    Polygon(Patch<LentRows<Edge<f64>>>),
     Bar(Bar<f64>),
     LeaningBar(Bar<f64, LinearPressure<f64>>),
     Points(PointPatch<f64, Points>),
@@ -292,7 +292,7 @@ pub unsafe extern "C" fn tribos_shape_polygon_f64(
 ) -> tribos_status {
     build(shape, || {
         let given = read(polygon)?;
-        let edges = Lent::new(given.edges.cast::<Edge<f64>>(), given.count)?;
+        let edges = LentRows::new(given.edges.cast::<Edge<f64>>(), given.count)?;
         Ok::<_, tribos_status>(Shape::Alike(Kind::Polygon(given.patch(edges))))
     })
 }
@@ -342,7 +342,7 @@ pub unsafe extern "C" fn tribos_shape_points_f64(
     shape: *mut tribos_shape_f64,
 ) -> tribos_status {
     build(shape, || {
-        let nodes = Lent::new(nodes.cast::<Node<f64>>(), count)?;
+        let nodes = LentRows::new(nodes.cast::<Node<f64>>(), count)?;
         let total_weight = NodeSlice::new(nodes.as_ref())?.total_weight();
         let points = PointPatch::new(Points {
             nodes,
