@@ -2,7 +2,8 @@
 
 use nalgebra::Vector3;
 use tribos::friction::{
-    AnyContactFriction, AnyFriction, Area, AreaFriction, ContactVisitor, Law, Patch, Precision,
+    AnyContactFriction, AnyFriction, Area, AreaFriction, ContactVisitor, FrictionError, Law, Patch,
+    Precision,
 };
 use tribos::random::Random;
 use tribos_core::contact::{
