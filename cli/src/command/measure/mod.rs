@@ -101,7 +101,7 @@ const EXAMPLES: &str = "\
 Examples:
   Means over time of a flow, with their errors:
     tribos run shear-cell --out out/shear
-    tribos measure out/shear --average-from 0.5
+    tribos measure out/shear
   A powder, measured at its end and over all of its frames:
     tribos run compaction-small --set height=20 --out out/powder
     tribos measure out/powder --out out/powder-measures --frames
