@@ -106,7 +106,9 @@ impl FromStr for ContactRadius {
     type Err = FrictionError;
 
     fn from_str(text: &str) -> Result<Self, FrictionError> {
-        let Some((name, list)) = text.split_once(':') else {
+        let known = ["hertz", "jkr", "finger"];
+        let alone = known.contains(&text.trim()).then_some((text, ""));
+        let Some((name, list)) = text.split_once(':').or(alone) else {
             let radius = finite_number(text).map_err(FrictionError::Syntax)?;
             return match radius > 0.0 {
                 true => Ok(Self::Given(radius)),
@@ -127,7 +129,6 @@ impl FromStr for ContactRadius {
                 Ok(Self::Finger(SoftFinger::new(scale, exponent)?))
             }
             _ => {
-                let known = ["hertz", "jkr", "finger"];
                 let list = Self::SYNTAX.map(|(syntax, _)| syntax).join(", ");
                 Err(FrictionError::unknown("radius", text, known, list))
             }

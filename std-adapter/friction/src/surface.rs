@@ -5,6 +5,7 @@ use super::text::files;
 use super::{Area, Flat, FrictionError, Patch, Precision, SurfaceBatch};
 use std::fmt;
 use std::path::Path;
+use std::sync::OnceLock;
 use tribos_core::coupling::{
     Annulus, DryProfile, DryReducedFriction, ReducedFriction, ReducedJacobian, ReducedWrench,
     WornAnnulus, coulomb, coulomb::CoulombDisk,
@@ -47,8 +48,9 @@ enum Kind {
     Round {
         dry: Box<dyn BoxedDryFriction<f64>>,
         radius: f64,
-        /// The same as one of any shape.
-        flat: Box<Flat<f64>>,
+        /// The patch, and the same as one of any shape once that is asked for.
+        patch: Patch,
+        flat: OnceLock<Box<Flat<f64>>>,
     },
     Flat(Flat<f64>),
     Ellipsoid {
@@ -65,7 +67,8 @@ impl LimitSurfaces {
             Area::Round(patch, radius) => Kind::Round {
                 dry: DryRound::new(patch)?.held(),
                 radius: *radius,
-                flat: Box::new(area.clone().into_flat()?),
+                patch: patch.clone(),
+                flat: OnceLock::new(),
             },
             Area::Flat(flat) => Kind::Flat(flat.clone()),
         }))
@@ -148,7 +151,18 @@ impl LimitSurfaces {
     ) -> Result<[f64; 2], FrictionError> {
         let flat = match &self.0 {
             Kind::Flat(flat) => flat,
-            Kind::Round { flat, .. } => flat,
+            Kind::Round {
+                patch,
+                radius,
+                flat,
+                ..
+            } => match flat.get() {
+                Some(flat) => flat,
+                None => {
+                    let made = Area::round(patch.clone(), *radius)?.into_flat()?;
+                    flat.get_or_init(|| Box::new(made))
+                }
+            },
             Kind::Ellipsoid { .. } => {
                 return Err(FrictionError::Unserved(
                     "an ellipsoid has no torque limits: ask the exact set".into(),
