@@ -20,6 +20,7 @@ __all__ = [
     "LuGre",
     "Manifold",
     "MujocoFeet",
+    "PackingFile",
     "Patch",
     "Potential",
     "PowerLawProfile",
@@ -291,7 +292,7 @@ class Floor:
         twists: ArrayLike,
         pushes: ArrayLike,
         body: tuple[float, float, float],
-        out: NDArray[Any] | None = None,
+        out: NDArray[Any] | None,
     ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]: ...
 
 @final
