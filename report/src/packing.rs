@@ -28,6 +28,7 @@ pub struct PackingPicture {
     headroom: f64,
     size: (u32, u32),
     surroundings: Surroundings,
+    plates: Vec<[[f64; 3]; 4]>,
 }
 
 // Surroundings of the spheres.
@@ -83,7 +84,23 @@ impl PackingPicture {
             headroom: 0.0,
             size: (430, 620),
             surroundings: Surroundings::Box,
+            plates: Vec::new(),
         }
+    }
+
+    /// Adds plane plates behind the content, each a corner and two sides, and room for them: those of a hopper or a drum.
+    #[must_use]
+    pub fn plates(mut self, plates: &[[[f64; 3]; 3]]) -> Self {
+        let corners = |[from, first, second]: &[[f64; 3]; 3]| {
+            let at = |u: f64, v: f64| {
+                std::array::from_fn(|axis| from[axis] + u * first[axis] + v * second[axis])
+            };
+            [at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)]
+        };
+        self.plates = plates.iter().map(corners).collect();
+        let tops = self.plates.iter().flatten().map(|corner| corner[2]);
+        self.headroom = tops.fold(self.headroom, f64::max);
+        self
     }
 
     /// Colours the spheres by one value each instead of their height; the axis names the colours
@@ -126,7 +143,7 @@ impl PackingPicture {
     #[must_use]
     pub fn headroom(mut self, height: f64) -> Self {
         if height.is_finite() {
-            self.headroom = height;
+            self.headroom = self.headroom.max(height);
         }
         self
     }
@@ -156,6 +173,7 @@ impl PackingPicture {
         let view = self.view(frame);
         if self.surroundings == Surroundings::Box {
             plates::behind(&mut paper, &view, &self.hall);
+            plates::inclined(&mut paper, &view, &self.plates);
         }
         match &self.content {
             Content::Spheres(balls) => balls.draw(&mut paper, &view)?,

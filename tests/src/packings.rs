@@ -58,6 +58,7 @@ pub fn spheres<F>(positions: Vec<Vector3<f64>>, laws: WorldMaterials<F>) -> Worl
         gravity: Vector3::zeros(),
         shear_rate: 0.0,
         mixture: None,
+        mesh: None,
         step_limits: STEP_LIMITS,
         solver: accelerated(TOLERANCE),
         sleep_speed: 0.0,

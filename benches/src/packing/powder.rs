@@ -66,6 +66,7 @@ where
         gravity: Vector3::zeros(),
         shear_rate: 0.0,
         mixture: None,
+        mesh: None,
         step_limits: StepLimits {
             longest: 0.2,
             motion: 0.05,

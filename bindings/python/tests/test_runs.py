@@ -258,6 +258,15 @@ def test_a_run_can_be_drawn() -> None:
         ):
             run = tribos.run(scene)
             assert run.plot().get_ylabel() == label
+        # Columns of a flow, each with the band of its mean over time.
+        flow = tribos.run(tribos.scene("shear-periodic", duration=0.1, average_from=0.04))
+        mean = flow.summary["averages"]["stress_ratio"]
+        ax = flow.plot(columns=["stress_ratio", "speed"])
+        assert [line.get_label() for line in ax.lines] == ["stress_ratio", "speed"]
+        low, high = ax.collections[0].get_datalim(ax.transData).intervaly
+        assert low == pytest.approx(mean["mean"] - mean["error"])
+        assert high == pytest.approx(mean["mean"] + mean["error"])
+        assert [line.get_label() for line in flow.plot().lines] == ["solid_fraction"]
 
 
 def test_spheres_of_a_gas_touch_for_no_time() -> None:

@@ -64,6 +64,14 @@ pub fn shown(value: f64) -> String {
         .show(value)
 }
 
+/// A value with its standard error, of two digits; the value alone where the error is not known.
+pub fn with_error(value: f64, error: f64) -> String {
+    match error.is_finite() {
+        true => format!("{} ± {}", shown(value), significant(error, 2)),
+        false => shown(value),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

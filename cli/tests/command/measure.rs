@@ -110,3 +110,77 @@ fn periods_of_lammps_data_are_those_that_are_given() -> Outcome {
     }
     Ok(())
 }
+
+#[test]
+fn means_over_time_are_those_of_the_series() -> Outcome {
+    let home = tempfile::tempdir()?;
+    let out = home.path().join("flow");
+    let sets = "--set duration=0.1 --set average_from=0.04";
+    let [said, _] = succeed(
+        home.path(),
+        format!("run shear-periodic {sets} --quiet --out flow"),
+    )?;
+    program::assert_has(
+        &said,
+        &[
+            "means         solid fraction",
+            "stress ratio",
+            "inertial number",
+        ],
+    );
+    // Sums over the lines later than 0.04 s, each with the time since the line before.
+    let text = std::fs::read_to_string(out.join("series.csv"))?;
+    let names: Vec<&str> = text.lines().next().unwrap_or_default().split(',').collect();
+    let at = |name: &str| {
+        names
+            .iter()
+            .position(|known| *known == name)
+            .unwrap_or(usize::MAX)
+    };
+    let [time, zz, shear] = ["time", "stress_zz", "shear_stress"].map(at);
+    let (mut before, mut sums) = (0.0, [0.0; 3]);
+    for line in text.lines().skip(1) {
+        let row: Vec<f64> = line.split(',').map(str::parse).collect::<Result<_, _>>()?;
+        if row[time] > 0.04 {
+            for (sum, value) in sums.iter_mut().zip([1.0, row[zz], row[shear]]) {
+                *sum += value * (row[time] - before);
+            }
+        }
+        before = row[time];
+    }
+    let told = summary(&out)?;
+    let mean = |column: &str| {
+        told["averages"][column]["mean"]
+            .as_f64()
+            .unwrap_or(f64::NAN)
+    };
+    for (column, wanted) in [
+        ("stress_zz", sums[1] / sums[0]),
+        ("stress_ratio", sums[2] / sums[1]),
+    ] {
+        assert!(
+            (mean(column) / wanted - 1.0).abs() < 1e-12,
+            "{column}: {} {wanted}",
+            mean(column)
+        );
+    }
+    // I = rate d √(ρ/P) of the mean pressure, with the mean diameter to the spread of 216 radii.
+    let number = 10.0 * 0.01 * (2500.0 * sums[0] / sums[1]).sqrt();
+    assert!((mean("inertial_number") / number - 1.0).abs() < 0.02);
+
+    // The command finds the same in the series, and others from another time on.
+    let measured = |option: &str| -> Result<Value, program::Error> {
+        let [text, _] = succeed(home.path(), format!("measure flow --format json {option}"))?;
+        Ok(serde_json::from_str::<Value>(&text)?["averages"].clone())
+    };
+    assert_eq!(measured("")?, told["averages"]);
+    assert_ne!(measured("--average-from 0.06")?, told["averages"]);
+    let [text, _] = succeed(home.path(), "measure flow --out measured")?;
+    program::assert_has(&text, &["over time", "stress_ratio"]);
+    let table = std::fs::read_to_string(home.path().join("measured/averages.csv"))?;
+    assert_eq!(table.lines().count(), 1 + names.len() - 2);
+    let (code, _, refused) = program::tribos(home.path(), "measure flow --average-from 1")?;
+    assert_eq!(code, Some(2));
+    program::assert_has(&refused, &["--average-from 1", "0.1"]);
+    Ok(())
+}

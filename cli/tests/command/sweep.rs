@@ -312,3 +312,76 @@ fn two_processes_of_one_part_take_no_run_twice() -> Outcome {
     succeed(folder.path(), format!("{GRID} --out both"))?;
     assert_same_tables(folder.path(), "both")
 }
+
+/// Sheared grains at two rates and two coefficients, a moment each.
+const FLOWS: &str =
+    "sweep shear-periodic --set duration=0.05 --set shear_rate=5,10 --set mu=0.1,0.5 --quiet";
+
+#[test]
+fn a_sweep_of_grains_has_means_over_time_and_draws_what_is_asked_for() -> Outcome {
+    let home = tempfile::tempdir()?;
+    let out = home.path().join("flows");
+    // Refused before anything runs.
+    let (code, _, told) = tribos(home.path(), format!("{FLOWS} --plot presure --out flows"))?;
+    assert_eq!(code, Some(2));
+    assert_has(&told, &["--plot presure", "stress_ratio", "flow_rate"]);
+    assert!(!out.exists());
+
+    let [told, _] = succeed(
+        home.path(),
+        format!("{FLOWS} --plot stress_ratio --out flows"),
+    )?;
+    assert!(
+        told.lines()
+            .next()
+            .is_some_and(|head| head.contains("stress ratio")),
+        "{told}"
+    );
+    let table = std::fs::read_to_string(out.join("sweep.csv"))?;
+    let mut rows = table.lines().map(|row| row.split(',').collect::<Vec<_>>());
+    let names = rows.next().ok_or("no header")?;
+    let rows: Vec<_> = rows.collect();
+    let cell = |row: usize, name: &str| -> Result<f64, Error> {
+        let at = names
+            .iter()
+            .position(|known| *known == name)
+            .ok_or(name.to_owned())?;
+        Ok(rows[row][at].parse()?)
+    };
+    for (row, keys) in [(0, "shear_rate=5,mu=0.1"), (3, "shear_rate=10,mu=0.5")] {
+        let run = out.join("runs").join(format!("duration=0.05,{keys}"));
+        let averages = &summary(&run)?["averages"];
+        for column in ["stress_ratio", "stress_zz", "kinetic"] {
+            assert_eq!(
+                Some(cell(row, column)?),
+                averages[column]["mean"].as_f64(),
+                "{column}"
+            );
+            let error = cell(row, &format!("{column}_error"))?;
+            assert_eq!(Some(error), averages[column]["error"].as_f64(), "{column}");
+            assert!(error > 0.0 && cell(row, &format!("{column}_std"))?.is_nan());
+        }
+        assert!(
+            std::fs::read_to_string(run.join("series.csv"))?
+                .lines()
+                .count()
+                > 5
+        );
+    }
+    // A line for each coefficient; then another column of the same runs.
+    let drawn = |words: &[&str]| -> Outcome {
+        assert_has(&std::fs::read_to_string(out.join("sweep.svg"))?, words);
+        Ok(())
+    };
+    drawn(&[
+        "stress ratio, mean over time",
+        "shear_rate",
+        "mu = 0.1",
+        "mu = 0.5",
+    ])?;
+    succeed(
+        home.path(),
+        "sweep --merge flows --plot solid_fraction --quiet",
+    )?;
+    drawn(&["solid fraction, mean over time", "mu = 0.5"])
+}

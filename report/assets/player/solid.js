@@ -11,6 +11,8 @@ const LARGEST_ROD = 1.5;
 const UNSEEN_ROD = 0.012;
 
 const EDGE = [150, 150, 150];
+/** Pistons and the plates of hoppers and drums. */
+const GLASS = [105, 118, 145, 120];
 /** Number of the piston as a partner; the substrate has the one above. */
 const PISTON = 0xfffffffe;
 
@@ -124,7 +126,7 @@ class SolidView {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
     gl.disable(gl.BLEND);
-    if (this.meta.body === "powder") this.drawPlates([this.substrate()], sight);
+    if (this.meta.floor) this.drawPlates([this.substrate()], sight);
     this.drawRods(frame, sight);
     if (options.balls === "solid" || options.balls === "dots") {
       this.drawBalls(this.solid, frame, sight, options.balls === "dots" ? 0.28 : 1);
@@ -133,7 +135,9 @@ class SolidView {
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
     gl.depthMask(false);
     if (options.balls === "glass") this.drawBalls(this.glass, frame, sight, 1);
-    if (this.meta.body === "powder") this.drawPlates([this.piston(frame)], sight);
+    const glass = (this.meta.plates || []).map(([from, first, second]) => ({ from, first, second, color: GLASS }));
+    if (this.meta.lid) glass.push(this.piston(frame));
+    if (glass.length) this.drawPlates(glass, sight);
     gl.depthMask(true);
   }
 
@@ -156,18 +160,25 @@ class SolidView {
   drawRods(frame, sight) {
     const rods = this.pile;
     rods.count = 0;
-    if (this.meta.body === "powder") this.edges(frame, sight, rods);
+    if (this.meta.floor) this.edges(frame, sight, rods);
     if (this.options.forces === "on") this.forces(frame, rods);
     for (const [name, width] of [["from", 4], ["to", 4], ["color", 4]]) this.rods.set(name, rods[name].subarray(0, width * rods.count));
     this.rods.draw(rods.count, sight, { band: 0.8 * this.largest });
   }
 
+  /** Low and high corner of the box: its sides, of grains that of the whole film; up to the lid. */
+  hall(frame) {
+    const { meta } = this;
+    const top = meta.lid ? meta.frames[frame].height : meta.box[1][2];
+    if (meta.body === "powder") return [[0, 0, 0], [...meta.periods, top]];
+    return [[meta.box[0][0], meta.box[0][1], 0], [meta.box[1][0], meta.box[1][1], top]];
+  }
+
   /** The upright edges of the box. */
   edges(frame, sight, rods) {
-    const [x, y] = this.meta.periods;
-    const top = this.meta.frames[frame].height;
+    const [[x, y, z], [u, v, top]] = this.hall(frame);
     const thick = 0.7 * sight.pixel;
-    for (const [u, v] of [[0, 0], [x, 0], [0, y], [x, y]]) rods.add(u, v, 0, u, v, top, thick, EDGE, 255);
+    for (const [a, b] of [[x, y], [u, y], [x, v], [u, v]]) rods.add(a, b, z, a, b, top, thick, EDGE, 255);
   }
 
   /** Rods of normal forces; one across a border of the periodic box is two halves. */
@@ -187,7 +198,8 @@ class SolidView {
       const [color, bands] = force > 0 ? [PUSH, 255] : [PULL, 128];
       const [x, y, z] = [at(a[k], 0), at(a[k], 1), at(a[k], 2)];
       if (b[k] >= n) {
-        rods.add(x, y, z, x, y, b[k] === PISTON ? top : 0, thick, color, bands);
+        const lid = meta.lid && b[k] === PISTON;
+        if (lid || (meta.floor && b[k] === PISTON + 1)) rods.add(x, y, z, x, y, lid ? top : 0, thick, color, bands);
         continue;
       }
       const [u, v, w] = [at(b[k], 0), at(b[k], 1), at(b[k], 2)];
@@ -211,15 +223,17 @@ class SolidView {
     this.plates.draw(plates.length, sight);
   }
 
+  /** A plate over the whole box at a height. */
+  level([low, high], z, color) {
+    return { from: [low[0], low[1], z], first: [high[0] - low[0], 0, 0], second: [0, high[1] - low[1], 0], color };
+  }
+
   substrate() {
-    const [x, y] = this.meta.periods;
-    return { from: [0, 0, 0], first: [x, 0, 0], second: [0, y, 0], color: [196, 198, 206, 255] };
+    return this.level(this.hall(0), 0, [196, 198, 206, 255]);
   }
 
   piston(frame) {
-    const [x, y] = this.meta.periods;
-    const top = this.meta.frames[frame].height;
-    return { from: [0, 0, top], first: [x, 0, 0], second: [0, y, 0], color: [105, 118, 145, 120] };
+    return this.level(this.hall(frame), this.meta.frames[frame].height, GLASS);
   }
 
   /** Lines of text about a frame. */
@@ -232,7 +246,8 @@ class SolidView {
       return lines;
     }
     if (measure !== null) lines.push(meta.body === "tip" ? `angle ${measure.toFixed(2)}°` : `porosity ${(100 * measure).toFixed(2)} %`);
-    if (height !== null) lines.push(`${meta.body === "tip" ? "driven layers at" : "piston at"} ${digits(height)} ${meta.units.length}`);
+    const what = { tip: "driven layers", powder: "piston" }[meta.body] || (meta.lid ? "plate" : "level bed");
+    if (height !== null) lines.push(`${what} at ${digits(height)} ${meta.units.length}`);
     return lines;
   }
 

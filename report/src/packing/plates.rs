@@ -25,6 +25,14 @@ pub(super) fn behind(paper: &mut SvgCanvas, view: &View, hall: &BoxGeometry) {
     }
 }
 
+/// Draws plates given by their corners.
+pub(super) fn inclined(paper: &mut SvgCanvas, view: &View, plates: &[[Point; 4]]) {
+    for plate in plates {
+        let places = plate.map(|corner| view.place(corner));
+        paper.fill(&places, PISTON, GLASS);
+    }
+}
+
 /// Draws the parts in front of the spheres: the edge nearest to the eye and the piston.
 pub(super) fn before(paper: &mut SvgCanvas, view: &View, hall: &BoxGeometry) {
     upright(paper, view, [hall.lengths[0], 0.0], hall.top);

@@ -4,6 +4,7 @@ use super::{Film, pack};
 use crate::figure::Color;
 use crate::solid::{ramp, svg_canvas::hex};
 use serde_json::{Value, json};
+use tribos::grains::plates;
 use tribos::record::frames::{Bodies, Frame, Kind};
 use tribos::tip::AtomRole;
 
@@ -63,8 +64,28 @@ pub fn solid_film(title: &str, bodies: &Bodies, frames: &[Frame]) -> Result<Film
             .map(|(part, color)| json!({ "name": part.name(), "color": hex(color) }))
             .collect();
     }
+    surround(&mut meta, bodies, bounds);
     let data = Some(pack::packed(frames, &bounds));
     Ok(Film { meta, data })
+}
+
+/// What stands around the spheres: floor, plate above, the plates of a hopper or a drum.
+fn surround(meta: &mut Value, bodies: &Bodies, bounds: [[f64; 3]; 2]) {
+    let is_walled = bodies.scene["boundary_z"] == "walls";
+    let is_drum = bodies.scene["container"] == "drum";
+    let (floor, lid) = match bodies.kind {
+        Kind::Powder => (true, true),
+        Kind::Grains => (
+            bodies.scene["boundary_z"] != "periodic" && !is_drum,
+            is_walled,
+        ),
+        Kind::Gas | Kind::Tip => (false, false),
+    };
+    meta["floor"] = floor.into();
+    meta["lid"] = lid.into();
+    if bodies.kind == Kind::Grains {
+        meta["plates"] = json!(plates(&bodies.scene, bounds));
+    }
 }
 
 /// One radius for all, or one each.

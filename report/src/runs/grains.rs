@@ -4,7 +4,7 @@ use super::packing::{State, both, over_time};
 use crate::drawing_grid::DrawingGrid;
 use crate::figure::Panels;
 use crate::packing::PackingError;
-use tribos::grains::{COLUMNS, GrainsSimulation};
+use tribos::grains::{COLUMNS, GrainsSimulation, plates};
 
 /// Initial and final grains in one scale, and the final forces.
 pub fn packing(
@@ -20,20 +20,32 @@ pub fn packing(
         (&first, "Initial".into(), None),
         (&last, "Final".into(), None),
     ];
+    let top = low.max(high);
+    let corners = [0, 1].map(|end| extents[0].map(|ends| ends[end]));
+    let plates = plates(&before.scene().json(), corners);
     both(
         [&name, "initial height [m]", ""],
         &ends,
         [x, y],
-        low.max(high),
+        (top, &plates),
     )
 }
 
-/// Solid fraction, forces, stresses and energies over time.
+/// Solid fraction, forces, stresses and energies over time; the stress ratio of what is sheared, the mass out of a hopper.
 pub fn series(grains: &GrainsSimulation) -> Panels {
     let panel = |axis: &str, curves: &[(&str, &str)]| {
         over_time((grains.series(), COLUMNS), ["time [s]", axis], curves)
     };
-    Panels::new("", 2)
+    let is_ever = |name: &str| {
+        let column = COLUMNS.iter().position(|column| *column == name);
+        column.is_some_and(|at| grains.series().iter().any(|row| row[at] != 0.0))
+    };
+    let more = [
+        ("shear stress over normal stress", "stress_ratio"),
+        ("mass below the slot [kg]", "discharged"),
+    ];
+    let more = more.into_iter().filter(|(_, column)| is_ever(column));
+    let usual = Panels::new("", 2)
         .figure(panel("solid fraction", &[("", "solid_fraction")]))
         .figure(panel(
             "force [N]",
@@ -60,5 +72,8 @@ pub fn series(grains: &GrainsSimulation) -> Panels {
                 ("sliding", "dissipated_sliding"),
                 ("rolling", "dissipated_rolling"),
             ],
-        ))
+        ));
+    more.fold(usual, |panels, (axis, column)| {
+        panels.figure(panel(axis, &[("", column)]))
+    })
 }

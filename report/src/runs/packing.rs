@@ -3,6 +3,7 @@
 use crate::drawing_grid::DrawingGrid;
 use crate::figure::{Axis, Figure, Series};
 use crate::packing::{Contact, Packing, PackingError, PackingPicture};
+use tribos::grains::PlateOutline;
 use tribos::record::{ContactRow, Snapshot};
 
 /// Size of a picture in pixels: letters of three beside each other can be read on a page of the report.
@@ -46,12 +47,12 @@ impl State {
 
 /// Initial and final spheres in one scale, and the final forces: the name of the drawing, the axis of the colours and
 /// the unit of the forces; each end with its title and the height of its piston, if it has one; the sides of the cell
-/// along x and y; the height of the pictures.
+/// along x and y; the height of the pictures, and the plates of a hopper or a drum.
 pub(super) fn both(
     [name, axis, unit]: [&str; 3],
     ends: &[(&State, String, Option<f64>); 2],
     sides: [f64; 2],
-    top: f64,
+    (top, plates): (f64, &[PlateOutline]),
 ) -> Result<DrawingGrid, PackingError> {
     let [(before, ..), (after, _, piston)] = ends;
     // Both are coloured by height at the start, which shows how layers sink and mix.
@@ -63,6 +64,7 @@ pub(super) fn both(
             picture
                 .size(SIZE.0, SIZE.1)
                 .headroom(top)
+                .plates(plates)
                 .color_by(Axis::linear(axis), &layers)?,
         );
     }
@@ -70,7 +72,8 @@ pub(super) fn both(
     let forces = PackingPicture::forces("Final forces", &end, &after.contacts)?
         .full_force(after.largest_force(), unit)
         .size(SIZE.0, SIZE.1)
-        .headroom(top);
+        .headroom(top)
+        .plates(plates);
     Ok(grid.drawing(forces))
 }
 

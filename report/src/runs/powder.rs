@@ -25,7 +25,7 @@ pub fn packing(
         (after, format!("Final, {last:.1} % empty"), Some(end)),
     ];
     let words = [&name, "initial height", "F_coh"];
-    both(words, &ends, [scene.width; 2], start)
+    both(words, &ends, [scene.width; 2], (start, &[]))
 }
 
 /// Porosity, stress and energies over time.

@@ -86,6 +86,8 @@ pub struct SweptQuantity {
     pub column: &'static str,
     /// Names on the way to it in the summary.
     pub path: Vec<&'static str>,
+    /// Names on the way to its standard error, if it is a mean over time.
+    pub error: Option<Vec<&'static str>>,
     /// Label for the terminal; none for a quantity that is not shown there.
     pub label: Option<&'static str>,
     /// Its unit.
@@ -95,8 +97,12 @@ pub struct SweptQuantity {
 impl SweptQuantity {
     /// The value in a summary.
     pub fn of<'a>(&self, summary: &'a Value) -> Option<&'a Value> {
-        let mut names = self.path.iter();
-        names.try_fold(summary, |value, name| value.get(name))
+        at(&self.path, summary)
+    }
+
+    /// Its standard error in a summary.
+    pub fn error_of<'a>(&self, summary: &'a Value) -> Option<&'a Value> {
+        at(self.error.as_ref()?, summary)
     }
 
     /// The value in a summary, with its unit, for people; `shown` rounds numbers.
@@ -122,12 +128,50 @@ impl SweptQuantity {
     }
 }
 
+/// The entry of a summary under these names.
+fn at<'a>(path: &[&str], summary: &'a Value) -> Option<&'a Value> {
+    let mut names = path.iter();
+    names.try_fold(summary, |value, name| value.get(name))
+}
+
+/// The quantities with the means over time that `averages` of a summary has in place of the last line of a series, and
+/// those of all other columns after them.
+pub fn averaged(
+    mut quantities: Vec<SweptQuantity>,
+    series: &'static [Quantity],
+) -> Vec<SweptQuantity> {
+    for column in series.iter().filter(|column| is_averaged(column.name)) {
+        let entry = |last| vec!["averages", column.name, last];
+        let mean = SweptQuantity {
+            column: column.name,
+            path: entry("mean"),
+            error: Some(entry("error")),
+            label: column.label(),
+            unit: column.unit,
+        };
+        match quantities
+            .iter_mut()
+            .find(|known| known.column == column.name)
+        {
+            Some(known) => *known = mean,
+            None => quantities.push(mean),
+        }
+    }
+    quantities
+}
+
+/// Whether a column of a series has a mean over time: neither the time nor the number of steps.
+pub fn is_averaged(column: &str) -> bool {
+    !["time", "step"].contains(&column)
+}
+
 /// The quantities of a table that a sweep averages, parts after the entries before them.
 pub fn swept(table: &'static [Quantity]) -> Vec<SweptQuantity> {
     let of = |(path, quantity): (_, &Quantity)| {
         Some(SweptQuantity {
             column: quantity.column()?,
             path,
+            error: None,
             label: quantity.label(),
             unit: quantity.unit,
         })

@@ -93,7 +93,8 @@ fn domain(domain: &Domain) -> Map<String, Value> {
             ..
         }) => {
             let mut rules = self::domain(numbers);
-            rules.insert("type".into(), json!(["number", "string"]));
+            let number = rules.insert("type".into(), Value::Null);
+            rules.insert("type".into(), json!([number, "string"]));
             return rules;
         }
         Domain::Finite => json!({"type": "number"}),

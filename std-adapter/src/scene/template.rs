@@ -187,7 +187,7 @@ fn in_symbols(domain: Domain) -> String {
 pub fn results_page() -> String {
     let mut page = String::from(
         "# Results\n\nWhat the `summary.json` of every run has, made from the tables that it is written by; `tribos scene results BODY` \
-         prints them.\n\n```console\n$ tribos scene results disk\n…\n```\n\nUnits are those of the scene where it has units of its own. A sweep averages what has a column. What \
+         prints them.\n\n```console\n$ tribos scene results disk\n…\n```\n\nUnits are those of the scene where it has units of its own. A sweep averages what has a column, and of grains every column of the series, as a mean over time. What \
          a run does not have is null or \"nan\", or left out where its meaning says so. Every summary ends \
          with `scene`, the keys in force, and `version`.\n",
     );

@@ -36,6 +36,20 @@ fn is_of_slide(key: &Key) -> bool {
     key.need == Need::PartOf("drive", "slide")
 }
 
+/// What a file says beside a key that goes with others.
+fn beside(key: &str) -> String {
+    match key {
+        "intruder_radius" => "intruder_position = \"0, 0, 1\"\n".into(),
+        "intruder_position" => "intruder_radius = 0.01\n".into(),
+        "average_from" => "duration = 10\n".into(),
+        _ => {
+            let moved = key.strip_prefix("wall_stress_");
+            let moved = moved.or(key.strip_prefix("wall_velocity_"));
+            moved.map_or(String::new(), |axis| format!("boundary_{axis} = \"walls\"\n"))
+        }
+    }
+}
+
 /// The value that a file gives a key comes back from its field.
 #[test]
 fn every_key_sets_its_field() {
@@ -56,11 +70,13 @@ fn every_key_sets_its_field() {
                         "potential" => "sutton-chen:Ag",
                         "sizes" => "normal:0.1",
                         "columns" => "x,y,z,radius",
+                        "coordinates" => "0.01, 0, 2.5",
                         other => unreachable!("the form {other}"),
                     };
                     format!("\"{text}\"")
                 }
                 Domain::Path => "\"out/powder\"".into(),
+                Domain::Form(form) if form.name == "types" => "\"2, 3\"".into(),
                 Domain::Count { .. } => format!("{}", was.as_u64().unwrap_or(30) + 4),
                 Domain::Between { above, .. } if was.is_null() && above >= 0.8 => {
                     format!("{}", above + 1.0)
@@ -86,7 +102,7 @@ fn every_key_sets_its_field() {
                 Need::PartOf(other, word) | Need::OnlyWith(other, word) => {
                     format!("{other} = \"{word}\"\n")
                 }
-                _ => String::new(),
+                _ => beside(key.name),
             };
             let text = format!("{rest}{condition}{} = {value}\n", key.name);
             let Ok(read) = Scene::parse("one.toml", &text, &[]) else {

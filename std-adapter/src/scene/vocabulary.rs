@@ -121,13 +121,14 @@ pub(super) fn given(keys: &[Key], text: &str) -> Vec<String> {
         .collect()
 }
 
-/// [Values in force](super::Scene::json) that an earlier version may have written, by the present names of their keys.
+/// [Values in force](super::Scene::json) that an earlier version may have written, by the present names of their keys;
+/// keys that have come since have their defaults.
 pub fn with_present_names(values: &Value) -> Value {
     let body = values.get("body").map_or(Some(DEFAULT_BODY), Value::as_str);
-    let keys = body
-        .and_then(vocabulary)
-        .map_or(&[][..], |known| known.keys);
-    key::with_present_names(keys, values)
+    match body.and_then(vocabulary) {
+        Some(known) => key::with_present_names(known.keys, &(known.example)(), values),
+        None => values.clone(),
+    }
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ import shutil
 import sys
 import tempfile
 import weakref
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -108,15 +108,26 @@ class Run:
         """The folder with the results; None of a run that was not given one."""
         return self._folder
 
-    def plot(self, ax: Any = None) -> Any:
-        """Draw the course of the run with matplotlib; returns the axes."""
+    def plot(self, ax: Any = None, columns: Sequence[str] | None = None) -> Any:
+        """Draw the course of the run with matplotlib; returns the axes.
+
+        With the names of `columns` these are drawn over the first one; of grains each with a band about its mean over
+        time, as wide as its standard error.
+        """
         if ax is None:
             import matplotlib.pyplot as plt
 
             _, ax = plt.subplots()
         names = self._columns
         series = self.series
-        if "piston_height" in names:
+        if columns is None and "solid_fraction" in names:
+            columns = ("solid_fraction",)
+        if columns is not None:
+            for name in columns:
+                self._plot_column(ax, name)
+            ax.set(xlabel=names[0])
+            ax.legend()
+        elif "piston_height" in names:
             ax.plot(series["time"], series["porosity"])
             ax.set(xlabel="time [sqrt(rho R^4/F_coh)]", ylabel="porosity")
         elif {"x", "y"} <= set(names):
@@ -135,6 +146,15 @@ class Run:
             ax.set(xlabel="time [tau]", ylabel="angle [degree]")
             ax.legend()
         return ax
+
+    def _plot_column(self, ax: Any, name: str) -> None:
+        """A column over the first one, with a band about its mean if that is known."""
+        time = self.series[self._columns[0]]
+        (line,) = ax.plot(time, self.series[name], label=name)
+        mean = self._summary.get("averages", {}).get(name)
+        if mean is not None and isinstance(mean["error"], float):
+            low, high = mean["mean"] - mean["error"], mean["mean"] + mean["error"]
+            ax.fill_between([mean["from"], time[-1]], low, high, color=line.get_color(), alpha=0.3)
 
     def _told(self) -> list[tuple[str, str]]:
         """Single results, for people."""

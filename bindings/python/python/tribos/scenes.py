@@ -845,6 +845,9 @@ class GrainsScene(Scene):
     initial_spacing
         Distance of neighbours at the start, in diameters of the largest grain; the rest is random.
         *Value*: a number > 1 and <= 100.
+    initial_height
+        Height above the floor from which random grains are placed upwards. *Unit*: m. *Value*: a
+        finite number >= 0.
     second_fraction
         Share of the grains that are of a second material, chosen at random; those of
         `initial_state` that have materials keep them. *Value*: a number from 0 to 1.
@@ -859,6 +862,50 @@ class GrainsScene(Scene):
     mu_mixed
         Sliding coefficient between the two materials; the geometric mean of theirs if it is left
         out. *Value*: a finite number >= 0.
+    rough_floor
+        Radius of grains glued to the floor in a square lattice, side by side, with their centres in
+        its plane. *Unit*: m. *Value*: a finite number > 0.
+    rough_lid
+        Radius of grains glued to the plate above in the same way, which move with it. *Unit*: m.
+        *Value*: a finite number > 0.
+    fixed_kinds
+        Types of `initial_state` whose grains stay where they are in the box, whatever pushes them:
+        rough bottoms and obstacles. Those that `rough_floor` glues are of type 7. *Value*: a whole
+        number from 1 to 9, or types such as "2, 3".
+    driven_kinds
+        Types of `initial_state` whose grains move as one body with the driven velocity, without
+        rotation. The intruder is of type 8. *Value*: a whole number from 1 to 9, or types such as
+        "2, 3".
+    intruder_radius
+        Radius of an intruder, a sphere that moves with the driven velocity through the grains.
+        *Unit*: m. *Value*: a finite number > 0.
+    intruder_position
+        Place of its centre at the start. *Unit*: m. *Value*: three numbers such as "0, 0, 0.1".
+    driven_velocity_x
+        Velocity of driven grains along x. *Unit*: m/s. *Value*: a finite number, or a ramp such as
+        "0:0, 0.5:1e3, 1:0".
+    driven_velocity_y
+        Velocity of driven grains along y. *Unit*: m/s. *Value*: a finite number, or a ramp such as
+        "0:0, 0.5:1e3, 1:0".
+    driven_velocity_z
+        Velocity of driven grains along z. *Unit*: m/s. *Value*: a finite number, or a ramp such as
+        "0:0, 0.5:1e3, 1:0".
+    mesh
+        Walls of triangles beside those of the box: an STL file, as text or binary, with the
+        coordinates of the box. *Value*: the path of a file or a folder.
+    mesh_scale
+        Factor from the lengths of `mesh` to those of the box, such as 0.001 for millimetres.
+        *Value*: a finite number > 0.
+    mesh_velocity
+        Velocity of the mesh. *Unit*: m/s. *Value*: three numbers such as "0, 0, 0.1".
+    mesh_angular_velocity
+        Rate of rotation of the mesh, right-handed about its axis. *Unit*: rad/s. *Value*: a finite
+        number.
+    mesh_axis
+        Direction of the axis of this rotation. *Value*: three numbers such as "0, 0, 0.1".
+    mesh_centre
+        A point of the axis at the start, which moves with the mesh; torques on it are about this
+        point. *Unit*: m. *Value*: three numbers such as "0, 0, 0.1".
     cohesion
         Cohesion F_coh: largest pull of a contact. *Unit*: N. *Value*: a finite number >= 0.
     cohesion_range
@@ -963,6 +1010,9 @@ class GrainsScene(Scene):
         Steps after which a run ends in any case. *Value*: a whole number from 1 to 1000000000.
     sample_every
         Steps from one line of the series to the next. *Value*: a whole number from 1 to 1000000000.
+    average_from
+        Time from which on means over time are taken; for each column the time after which it has
+        settled if it is left out. *Unit*: s. *Value*: a finite number >= 0.
     """
 
     BODY: ClassVar[str] = "grains"
@@ -989,11 +1039,27 @@ class GrainsScene(Scene):
     density: float = 2500.0
     seed: int = 1
     initial_spacing: float = 1.2
+    initial_height: float = 0.0
     second_fraction: float = 0.0
     second_radius: float = 1.0
     second_density: float | None = None
     mu_second: float | None = None
     mu_mixed: float | None = None
+    rough_floor: float | None = None
+    rough_lid: float | None = None
+    fixed_kinds: float | str = "3"
+    driven_kinds: float | str = "4"
+    intruder_radius: float | None = None
+    intruder_position: str | None = None
+    driven_velocity_x: float | str = 0.0
+    driven_velocity_y: float | str = 0.0
+    driven_velocity_z: float | str = 0.0
+    mesh: str | None = None
+    mesh_scale: float = 1.0
+    mesh_velocity: str = "0, 0, 0"
+    mesh_angular_velocity: float = 0.0
+    mesh_axis: str = "0, 0, 1"
+    mesh_centre: str = "0, 0, 0"
     cohesion: float = 0.0
     cohesion_range: float = 0.0
     attraction: Literal["pull", "resistance"] = "pull"
@@ -1032,6 +1098,7 @@ class GrainsScene(Scene):
     rest_speed: float | None = None
     max_steps: int = 10000000
     sample_every: int = 50
+    average_from: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -1,19 +1,22 @@
 //! Grains in a box.
 
+use super::kind::{RunKind, first};
 use super::long::{LongBody, Series, series};
-use crate::command::digits::shown;
+use crate::command::digits::{shown, with_error};
 use crate::command::explain::{self, after};
 use crate::command::run::files;
 use crate::command::run::packing::{budget, states};
 use crate::command::run::request::RunRequest;
 use crate::failure::Failure;
 use serde_json::Value;
-use tribos::grains::{COLUMNS, GrainsSimulation, GrainsStopReason, GrainsSummary, size};
+use tribos::grains::{
+    COLUMNS, GrainsLine, GrainsSimulation, GrainsStopReason, GrainsSummary, size,
+};
 use tribos::powder::STATE;
-use tribos::results::SweepView;
+use tribos::results::{Summary, SweepView, averaged, swept};
 use tribos::run::RunSize;
 use tribos::run::folder::OutputFolder;
-use tribos::scene::{ContactMethod, GrainsScene};
+use tribos::scene::{ContactMethod, Container, EndBoundary, GrainsScene};
 use tribos_report::runs::grains as picture;
 
 impl LongBody for GrainsScene {
@@ -33,12 +36,28 @@ impl LongBody for GrainsScene {
         "stress_zz",
         "stress_xz",
         "surface_angle",
+        "stress_ratio",
+        "inertial_number",
+        "flow_rate",
     ];
+    const KEEPS_SERIES: bool = true;
+
+    /// Means over time in place of the last instant; people are shown those of the loads that there are.
+    fn kind(&self) -> RunKind {
+        let mut quantities = averaged(swept(GrainsSummary::QUANTITIES), GrainsLine::QUANTITIES);
+        for quantity in &mut quantities {
+            if quantity.column == "flow_rate" {
+                quantity.error = Some(vec!["flow", "error"]);
+            }
+            quantity.label = quantity.label.filter(|_| has(self, quantity.column));
+        }
+        RunKind::of(first(Self::FIRST, quantities), self.sweep_view())
+    }
 
     fn sweep_view(&self) -> SweepView {
         SweepView {
             drawn: "solid_fraction",
-            title: "Final solid fraction",
+            title: "Solid fraction, mean over time",
             share: ["rest", "/ending", "rest"],
         }
     }
@@ -101,6 +120,7 @@ impl LongBody for GrainsScene {
             shown(outcome.end.stress_zz),
             shown(outcome.end.shear_stress),
         );
+        text += &means(self, outcome);
         if outcome.steps_unmet > 0 {
             text += &format!(
                 "unmet         {} steps missed the solver's tolerance; their forces and energies are approximate, overlaps \
@@ -144,4 +164,58 @@ impl LongBody for GrainsScene {
     fn account(&self, summary: &Value, command: &str) -> String {
         after::packing(summary, &self.material(), command)
     }
+}
+
+/// Columns that a run tells as means over time, with their labels and units.
+const MEANS: [(&str, &str, &str); 4] = [
+    ("solid_fraction", "solid fraction", ""),
+    ("floor_force", "floor", " N"),
+    ("stress_ratio", "stress ratio", ""),
+    ("inertial_number", "inertial number", ""),
+];
+
+/// Whether a column says something of this scene.
+fn has(scene: &GrainsScene, column: &str) -> bool {
+    match column {
+        "floor_force" => scene.boundary_z != EndBoundary::Periodic,
+        "surface_angle" => {
+            scene.boundary_z == EndBoundary::Floor && scene.container != Container::Hopper
+        }
+        "shear_stress" | "stress_ratio" | "inertial_number" => {
+            scene.shear_rate.is_some() || scene.lid_speed_x.range() != [0.0; 2]
+        }
+        "flow_rate" => scene.container == Container::Hopper,
+        _ => true,
+    }
+}
+
+/// Means over time, the slope of the surface and the flow out of a hopper.
+fn means(scene: &GrainsScene, outcome: &GrainsSummary) -> String {
+    let mean = |(column, label, unit): &(&str, &str, &str)| {
+        let found = outcome
+            .averages
+            .get(column)
+            .filter(|_| has(scene, column))?;
+        let drifts = if found.settled { "" } else { " (not settled)" };
+        let value = with_error(found.mean, found.error);
+        let from = shown(found.from);
+        Some(format!("{label} {value}{unit} from {from} s on{drifts}"))
+    };
+    let told: Vec<String> = MEANS.iter().filter_map(mean).collect();
+    let mut text = format!("means         {}\n", told.join(",\n              "));
+    let surface = outcome.surface_angle_error;
+    if let Some(error) = surface.filter(|_| has(scene, "surface_angle")) {
+        let angle = with_error(outcome.end.surface_angle, error);
+        text += &format!("surface       falls by {angle} degrees\n");
+    }
+    if let Some(flow) = outcome.flow {
+        text += &format!("discharged    {} kg", shown(outcome.end.discharged));
+        if flow.rate.is_finite() {
+            let rate = with_error(flow.rate, flow.error);
+            let [from, until] = [flow.from, flow.until].map(shown);
+            text += &format!(", {rate} kg/s from {from} to {until} s");
+        }
+        text += "\n";
+    }
+    text
 }

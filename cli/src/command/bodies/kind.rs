@@ -1,5 +1,6 @@
 //! What a sweep makes of the summaries of a kind of run.
 
+use crate::failure::Failure;
 use tribos::results::{SweepView, SweptQuantity};
 
 /// The quantities of a kind of run.
@@ -10,7 +11,7 @@ pub struct RunKind {
     /// The one that is drawn.
     pub drawn: usize,
     /// What the drawing is called.
-    pub title: &'static str,
+    pub title: String,
     /// A word of the summary whose share is told: column, place, word.
     pub share: [&'static str; 3],
 }
@@ -21,10 +22,36 @@ impl RunKind {
         let mut columns = quantities.iter().map(|known| known.column);
         Self {
             drawn: columns.position(|column| column == view.drawn).unwrap_or(0),
-            title: view.title,
+            title: view.title.to_owned(),
             share: view.share,
             quantities,
         }
+    }
+
+    /// The same with a column that is drawn in place of the usual one.
+    pub fn drawing(mut self, column: &str) -> Result<Self, Failure> {
+        let found = self
+            .quantities
+            .iter()
+            .position(|known| known.column == column);
+        let Some(drawn) = found else {
+            let mut columns = self
+                .quantities
+                .iter()
+                .map(|known| known.column)
+                .collect::<Vec<_>>();
+            columns.sort_unstable();
+            let columns = columns.join(", ");
+            return Err(Failure::input(format!(
+                "--plot {column}: the sweep has no such column; give one of {columns}"
+            )));
+        };
+        self.drawn = drawn;
+        self.title = match self.quantities[drawn].error {
+            Some(_) => format!("{}, mean over time", column.replace('_', " ")),
+            None => column.replace('_', " "),
+        };
+        Ok(self)
     }
 
     /// Whether one table can hold the results of both.

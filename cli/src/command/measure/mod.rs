@@ -1,10 +1,13 @@
 //! `tribos measure`: stress, fabric, correlations, force chains of a packing.
 
+mod over_time;
 mod report;
 
 use super::number;
 use super::packing::ColumnsOption;
 use crate::failure::Failure;
+use over_time::MeansOverTime;
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use tribos::measure::{Assembly, AssemblyError, KnownForces, MeasureOptions, Measures, Table};
@@ -18,6 +21,9 @@ use tribos_report::runs::measure as figures;
 ///
 /// Reads the last state of a run, or a file of any format that `tribos packing` reads. A file of another program
 /// has no forces: its contacts are those of the geometry.
+///
+/// Of a run of grains it also tells the means over time of the columns of its series with their standard errors: from
+/// where each has settled, or from --average-from on; the latter of any run.
 ///
 /// With --out it writes measures.json, a table (.csv) and a figure (.svg and .png) of each measure. Lengths,
 /// forces and stresses are in the units of the packing; those of a powder are R, F_coh and F_coh/R^2.
@@ -65,6 +71,10 @@ pub struct Arguments {
     /// Periods along x, y and z, with - for an open axis, where the file does not say them.
     #[arg(long, value_name = "X,Y,Z", value_parser = periods)]
     periods: Option<Periods>,
+    /// Time from which on means over time are taken, in the unit of the run [default: for each column that after which it
+    /// has settled].
+    #[arg(long, value_name = "TIME", value_parser = number::not_negative, allow_negative_numbers = true)]
+    average_from: Option<f64>,
     /// Output format of the summary.
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
@@ -89,6 +99,9 @@ pub struct Periods(pub [Option<f64>; 3]);
 
 const EXAMPLES: &str = "\
 Examples:
+  Means over time of a flow, with their errors:
+    tribos run shear-cell --out out/shear
+    tribos measure out/shear
   A powder, measured at its end and over all of its frames:
     tribos run compaction-small --set height=20 --out out/powder
     tribos measure out/powder --out out/powder-measures --frames
@@ -96,7 +109,7 @@ Examples:
     tribos measure out/powder/final.xyz --gap 0.01 --format json";
 
 /// Files that --out gets.
-const FILES: [&str; 19] = [
+const FILES: [&str; 20] = [
     "measures.json",
     "pair-correlation.csv",
     "pair-correlation.svg",
@@ -116,6 +129,7 @@ const FILES: [&str; 19] = [
     "necks.csv",
     "series.csv",
     "series.svg",
+    "averages.csv",
 ];
 
 /// An angle from 0 to 90 degrees.
@@ -157,18 +171,38 @@ impl Arguments {
         }
         self.refuse_idle(state.forces)?;
         let measures = Measures::of(state, &options).map_err(Failure::input)?;
+        let averages = self.averages(&measures.assembly.scene)?;
         let over_time = self.series(&options)?;
+        let mut summary = measures.json();
+        if let Some(averages) = &averages {
+            summary["averages"] = averages.json();
+        }
+        let summary = format!("{summary:#}\n");
         if let Some(out) = &self.out {
-            write(out, &measures, over_time.as_ref())?;
+            write(
+                out,
+                &measures,
+                (over_time.as_ref(), averages.as_ref()),
+                &summary,
+            )?;
         }
         match self.format {
-            Format::Json => super::print(&format!("{:#}\n", measures.json())),
+            Format::Json => super::print(&summary),
             Format::Text => super::print(&report::text(
                 &measures,
-                over_time.as_ref(),
+                (over_time.as_ref(), averages.as_ref()),
                 self.out.as_deref(),
             )),
         }
+    }
+
+    /// Means over time of a run of grains, or of any run if they are asked for.
+    fn averages(&self, scene: &Value) -> Result<Option<MeansOverTime>, Failure> {
+        if self.average_from.is_none() && scene["body"] != "grains" {
+            return Ok(None);
+        }
+        let of_scene = scene["average_from"].as_f64();
+        MeansOverTime::read(&self.source, self.average_from, of_scene)
     }
 
     /// Refuses options that would change nothing.
@@ -250,7 +284,12 @@ impl Arguments {
 }
 
 /// Writes the tables and figures, and at last the summary.
-fn write(out: &Path, measures: &Measures, over_time: Option<&Table>) -> Result<(), Failure> {
+fn write(
+    out: &Path,
+    measures: &Measures,
+    (over_time, averages): (Option<&Table>, Option<&MeansOverTime>),
+    summary: &str,
+) -> Result<(), Failure> {
     let folder = OutputFolder::begin(out, &Contents::of("measure", &FILES))?;
     for table in measures.tables().iter().chain(over_time) {
         let rows = table.rows.iter().map(Vec::as_slice);
@@ -265,7 +304,9 @@ fn write(out: &Path, measures: &Measures, over_time: Option<&Table>) -> Result<(
         let drawing = figures::series(table).svg()?;
         write_atomically(&out.join("series.svg"), drawing.as_bytes())?;
     }
-    let summary = format!("{:#}\n", measures.json());
+    if let Some(averages) = averages {
+        folder.write("averages.csv", averages.csv().as_bytes())?;
+    }
     Ok(folder.write("measures.json", summary.as_bytes())?)
 }
 

@@ -1,11 +1,16 @@
 //! Measures as a few lines for the person at the terminal.
 
+use super::over_time::MeansOverTime;
 use crate::command::digits::shown;
 use std::path::Path;
 use tribos::measure::{KnownForces, Measures, Table};
 
 /// The lines.
-pub fn text(measures: &Measures, over_time: Option<&Table>, out: Option<&Path>) -> String {
+pub fn text(
+    measures: &Measures,
+    (over_time, averages): (Option<&Table>, Option<&MeansOverTime>),
+    out: Option<&Path>,
+) -> String {
     let assembly = &measures.assembly;
     let from = match assembly.forces {
         KnownForces::Complete => "with their forces",
@@ -42,6 +47,7 @@ pub fn text(measures: &Measures, over_time: Option<&Table>, out: Option<&Path>) 
     );
     text += &loads(measures);
     text += &necks(measures);
+    text += &averages.map_or(String::new(), MeansOverTime::text);
     if let Some(table) = over_time {
         text += &format!("frames        {}\n", table.rows.len());
     }

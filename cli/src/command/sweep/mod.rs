@@ -33,11 +33,13 @@ use tribos::run::folder::{Contents, Lock, LockMode, LockOutcome, Manifest, Outpu
 /// Runs a scene of any body for every combination of the values of its keys, each with several seeds
 /// if the body has one, and writes tables: sweep.csv, means and standard deviations over the seeds, and
 /// runs.csv, one row a run; sweep.parquet and runs.parquet hold the same. Of two keys with several numbers
-/// each there is a surface, of one a line, of the final porosity, angle, distance or curl: sweep.svg
-/// and sweep.png.
+/// each there is a surface, of one a line, of the final porosity, angle, distance or curl, or of the column
+/// that --plot names: sweep.svg and sweep.png.
 ///
-/// Every run writes its summary to DIR/runs. An interrupted sweep continues where it stopped: runs
-/// with a summary are not repeated.
+/// Of grains the table has means over time with their standard errors, in place of the last instant.
+///
+/// Every run writes its summary to DIR/runs, one of grains its series too. An interrupted sweep continues where it
+/// stopped: runs with a summary are not repeated.
 ///
 /// A combination that is refused or fails, such as a body that tips or a tip that blows up, has a row
 /// with the reason in the column `refusal`, and the others run; the exit code is 0 unless all are
@@ -76,6 +78,9 @@ pub struct Arguments {
     /// Make the tables of a sweep whose parts are finished; missing runs are listed.
     #[arg(long, value_name = "DIR", conflicts_with = "scene")]
     merge: Option<PathBuf>,
+    /// Draw this column of sweep.csv, over two keys as lines; with --merge also of a sweep that is done.
+    #[arg(long, value_name = "COLUMN", conflicts_with_all = ["part", "slurm"])]
+    plot: Option<String>,
     /// Write a job array for Slurm, DIR/job.sh, and run nothing.
     #[arg(long, requires = "scene")]
     slurm: bool,
@@ -109,6 +114,9 @@ Examples:
     tribos sweep scenes/disk.toml --set spin=0:50:10 --out out/spin
     tribos sweep scenes/disk.toml --set inertia_ratio=1e-2:1e2:x10 --out out/inertia
     tribos sweep scenes/curling-draw.toml --set spin=0.5,1,1.5,2 --set speed=1.9,2 --out out/curl
+  Shear stress over normal stress of a flow, with errors over time and over three seeds:
+    tribos sweep shear-periodic --set shear_rate=5,10,20 --set mu=0.3,0.5 --seeds 3 \\
+        --plot stress_ratio --out out/flow
   On two machines that share a folder (or copy DIR together afterwards):
     tribos sweep scenes/compaction-small.toml --set mu_rolling=0,1 --seeds 50 --out DIR --part 0/2
     tribos sweep --plan DIR --part 1/2
@@ -119,10 +127,10 @@ Examples:
     sbatch DIR/job.sh
     tribos sweep --merge DIR";
 
-/// How to go on after a full disk.
 /// How long a part waits for others that begin in its folder, and between two looks.
 const PATIENCE: Duration = Duration::from_secs(5);
 const PAUSE: Duration = Duration::from_millis(20);
+/// How to go on after a full disk.
 const GO_ON: &str = "Then give the same command again: finished runs are not repeated.";
 
 impl Arguments {
@@ -134,11 +142,14 @@ impl Arguments {
     fn take(self) -> Result<(), Failure> {
         if let Some(out) = &self.merge {
             let plan = Plan::read(out)?;
+            let tasks = plan.tasks(out)?;
+            output::kind(&tasks, self.plot.as_deref())?;
             let folder = claim(&plan, out)?;
-            return tables(&plan, &plan.tasks(out)?, folder.lock());
+            return self.tables(&plan, &tasks, folder.lock());
         }
         let (plan, out) = self.planned()?;
         let tasks = plan.tasks(&out)?;
+        output::kind(&tasks, self.plot.as_deref())?;
         if self.slurm {
             return self.write_job_array(&plan, &tasks, &out);
         }
@@ -158,7 +169,7 @@ impl Arguments {
             .collect();
         jobs::run(&mine, self.jobs.map(NonZero::get), held.lock())?;
         match self.part {
-            None => tables(&plan, &tasks, held.lock()),
+            None => self.tables(&plan, &tasks, held.lock()),
             Some(part) => super::print(&format!(
                 "part {} of {} is done: {} of {} runs\nafter all parts  tribos sweep --merge {}\n",
                 part.index,
@@ -227,6 +238,29 @@ impl Arguments {
             out.display()
         ))
     }
+
+    /// The tables of a complete sweep, in the folder of the lock.
+    fn tables(&self, plan: &Plan, tasks: &[Task], lock: &Lock) -> Result<(), Failure> {
+        lock.check()?;
+        let out = lock.folder();
+        let summaries = output::complete(tasks, jobs::kept(tasks), out)?;
+        let table = output::write(plan, tasks, &summaries, (out, self.plot.as_deref()))?;
+        let text = table.text();
+        super::print(&format!("{text}written to    {}\n", out.display()))?;
+        match (table.refused(), table.runs()) {
+            (0, _) => Ok(()),
+            (refused, 0) => Err(Failure::input(format!(
+                "all {refused} runs were refused; the column `refusal` says why"
+            ))),
+            (refused, _) => {
+                super::note(format_args!(
+                    "{refused} of {} runs were refused; the column `refusal` says why",
+                    tasks.len()
+                ));
+                Ok(())
+            }
+        }
+    }
 }
 
 /// The folder of the sweep, for this process alone.
@@ -279,27 +313,4 @@ fn guard(plan: &Plan, out: &Path) -> Result<(), Failure> {
         "{out} holds the job array of another sweep; give another --out, \
          or remove {script} if that array is done"
     )))
-}
-
-/// The tables of a complete sweep, in the folder of the lock.
-fn tables(plan: &Plan, tasks: &[Task], lock: &Lock) -> Result<(), Failure> {
-    lock.check()?;
-    let out = lock.folder();
-    let summaries = output::complete(tasks, jobs::kept(tasks), out)?;
-    let table = output::write(plan, tasks, &summaries, out)?;
-    let text = table.text();
-    super::print(&format!("{text}written to    {}\n", out.display()))?;
-    match (table.refused(), table.runs()) {
-        (0, _) => Ok(()),
-        (refused, 0) => Err(Failure::input(format!(
-            "all {refused} runs were refused; the column `refusal` says why"
-        ))),
-        (refused, _) => {
-            super::note(format_args!(
-                "{refused} of {} runs were refused; the column `refusal` says why",
-                tasks.len()
-            ));
-            Ok(())
-        }
-    }
 }

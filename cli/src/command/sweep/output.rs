@@ -1,10 +1,12 @@
 //! What a sweep that is complete leaves: its tables and their picture.
 
+use super::body::Body;
 use super::frame::{self, Column};
 use super::jobs::Task;
 use super::plan::Plan;
 use super::table::Table;
 use super::{plot, runs};
+use crate::command::bodies::RunKind;
 use crate::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
@@ -13,19 +15,31 @@ use tribos::record::write_atomically;
 /// Most names of runs in a message.
 const MOST_NAMES: usize = 10;
 
+/// What is drawn of the runs: of one that is possible, with the column that was asked for.
+pub fn kind(tasks: &[Task], plot: Option<&str>) -> Result<RunKind, Failure> {
+    let kind = possible(tasks)?.kind();
+    match plot {
+        Some(column) => kind.drawing(column),
+        None => Ok(kind),
+    }
+}
+
+/// The first body that can be run.
+fn possible(tasks: &[Task]) -> Result<&Body, Failure> {
+    let body = tasks.iter().find_map(|task| task.body.as_ref().ok());
+    body.ok_or_else(|| Failure::input("every combination is refused"))
+}
+
 /// Writes all tables and pictures of a complete sweep.
 pub fn write(
     plan: &Plan,
     tasks: &[Task],
     summaries: &[Value],
-    out: &Path,
+    (out, plot): (&Path, Option<&str>),
 ) -> Result<Table, Failure> {
     let seeds = plan.seeds as usize;
-    let mut bodies = tasks.iter().filter_map(|task| task.body.as_ref().ok());
-    let body = bodies.next();
-    let body = body.ok_or_else(|| Failure::input("every combination is refused"))?;
-    let grid = &plan.grid.with_present_names(body.keys());
-    let table = Table::new(body.kind(), grid, summaries, seeds);
+    let grid = &plan.grid.with_present_names(possible(tasks)?.keys());
+    let table = Table::new(kind(tasks, plot)?, grid, summaries, seeds);
     let csv = frame::csv(&table.columns()).map_err(Failure::run)?;
     write_atomically(&out.join("sweep.csv"), &csv)?;
     let runs = runs::columns(grid, seeds, tasks, summaries);
@@ -33,7 +47,7 @@ pub fn write(
     write_atomically(&out.join("runs.csv"), &csv)?;
     parquet(&table.columns(), &out.join("sweep.parquet"))?;
     parquet(&runs, &out.join("runs.parquet"))?;
-    plot::write(grid, &table, out)?;
+    plot::write(grid, &table, plot.is_some(), out)?;
     Ok(table)
 }
 

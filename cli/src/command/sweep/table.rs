@@ -1,4 +1,4 @@
-//! Means and standard deviations over the seeds of each combination.
+//! Means, standard deviations and errors over the seeds of each combination.
 
 use super::frame::{Cells, Column, add, scalar};
 use super::grid::Grid;
@@ -28,8 +28,44 @@ struct Row {
     reason: Option<String>,
     /// Share of the runs that ended with the kind's word.
     share: f64,
-    /// Mean and deviation of each quantity; a deviation of one run is NaN.
-    means: Vec<(f64, f64)>,
+    /// Mean of each quantity over the runs.
+    means: Vec<Mean>,
+}
+
+/// Mean of a quantity over the runs of a combination.
+#[derive(Clone, Copy, Debug)]
+struct Mean {
+    value: f64,
+    /// Standard deviation of the runs; NaN of one run.
+    deviation: f64,
+    /// Standard error of a mean over time: from the errors of the runs, or from their deviation if that says more.
+    error: Option<f64>,
+}
+
+impl Mean {
+    /// The mean of values with their errors, if they are means over time.
+    fn of(values: &[f64], errors: Option<&[f64]>) -> Self {
+        let count = values.len() as f64;
+        let (value, deviation) = match values {
+            [] => (f64::NAN, f64::NAN),
+            values => statistics(values),
+        };
+        let error = errors.map(|errors| {
+            let squares: f64 = errors.iter().map(|error| error * error).sum();
+            // The larger, or the one that is there.
+            (squares.sqrt() / count).max(deviation / count.sqrt())
+        });
+        Self {
+            value,
+            deviation,
+            error,
+        }
+    }
+
+    /// What whiskers show: the error of a mean over time, else the deviation of the runs.
+    fn whisker(&self) -> f64 {
+        self.error.unwrap_or(self.deviation)
+    }
 }
 
 impl Table {
@@ -50,10 +86,13 @@ impl Table {
         &self.kind
     }
 
-    /// Mean of the drawn quantity of a combination and its deviation.
+    /// Mean of the drawn quantity of a combination and its error, or the deviation of the runs.
     pub fn drawn(&self, combination: usize) -> (f64, f64) {
         let row = self.rows.get(combination);
-        row.map_or((f64::NAN, f64::NAN), |row| row.means[self.kind.drawn])
+        row.map_or((f64::NAN, f64::NAN), |row| {
+            let mean = row.means[self.kind.drawn];
+            (mean.value, mean.whisker())
+        })
     }
 
     /// Number of runs that were refused.
@@ -83,13 +122,23 @@ impl Table {
         add(&mut columns, share);
         for (at, quantity) in self.kind.quantities.iter().enumerate() {
             let name = quantity.column;
-            let means = Column::numbers(name, rows().map(|row| row.means[at].0));
-            add(&mut columns, means);
-            let deviations = rows().map(|row| row.means[at].1);
+            let means = || rows().map(|row| row.means[at]);
+            add(
+                &mut columns,
+                Column::numbers(name, means().map(|mean| mean.value)),
+            );
+            let deviations = means().map(|mean| mean.deviation);
             add(
                 &mut columns,
                 Column::numbers(&format!("{name}_std"), deviations),
             );
+            if quantity.error.is_some() {
+                let errors = means().map(|mean| mean.whisker());
+                add(
+                    &mut columns,
+                    Column::numbers(&format!("{name}_error"), errors),
+                );
+            }
         }
         if self.refused() > 0 {
             let name = refusal::REASON.to_owned();
@@ -133,11 +182,11 @@ impl Table {
             let share = (row.share * row.runs as f64).round();
             text += &format!("  {:>12}", format!("{share}/{}", row.runs));
             for (at, _) in &shown_columns {
-                let (mean, deviation) = row.means[*at];
-                let cell = if deviation.is_nan() {
-                    shown(mean)
+                let mean = row.means[*at];
+                let cell = if mean.whisker().is_nan() {
+                    shown(mean.value)
                 } else {
-                    format!("{} ± {}", shown(mean), shown(deviation))
+                    format!("{} ± {}", shown(mean.value), shown(mean.whisker()))
                 };
                 text += &format!("  {cell:>22}");
             }
@@ -162,15 +211,11 @@ impl Row {
         let is_so = |run: &&&Value| run.pointer(place).is_some_and(|found| found == word);
         let share = done.iter().filter(is_so).count() as f64 / done.len() as f64;
         let mean = |quantity: &SweptQuantity| {
-            let number = |run: &&Value| quantity.of(run).and_then(scalar);
-            let values: Vec<f64> = done
-                .iter()
-                .map(|run| number(run).unwrap_or(f64::NAN))
-                .collect();
-            match values.as_slice() {
-                [] => (f64::NAN, f64::NAN),
-                values => statistics(values),
-            }
+            let number = |found: Option<&Value>| found.and_then(scalar).unwrap_or(f64::NAN);
+            let values: Vec<f64> = done.iter().map(|run| number(quantity.of(run))).collect();
+            let errors = done.iter().map(|run| number(quantity.error_of(run)));
+            let errors: Option<Vec<f64>> = quantity.error.is_some().then(|| errors.collect());
+            Mean::of(&values, errors.as_deref())
         };
         Self {
             values: chosen
@@ -182,5 +227,26 @@ impl Row {
             share,
             means: kind.quantities.iter().map(mean).collect(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mean_over_time_has_the_larger_of_both_errors() {
+        // Runs that agree within their errors, and runs that do not.
+        let alike = Mean::of(&[1.0, 1.0, 1.0, 1.0], Some(&[0.5; 4]));
+        assert_eq!(
+            (alike.value, alike.deviation, alike.error),
+            (1.0, 0.0, Some(0.25))
+        );
+        let apart = Mean::of(&[0.0, 2.0], Some(&[0.1; 2]));
+        assert_eq!(apart.error, Some(1.0));
+        let alone = Mean::of(&[3.0], Some(&[0.5]));
+        assert!(alone.deviation.is_nan() && alone.whisker() == 0.5);
+        // Without errors over time the deviation is shown.
+        assert!((Mean::of(&[0.0, 2.0], None).whisker() - 2.0_f64.sqrt()).abs() < 1e-15);
     }
 }

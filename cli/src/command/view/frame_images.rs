@@ -2,6 +2,7 @@
 
 use super::colors::{RenderStyle, contacts};
 use crate::failure::Failure;
+use tribos::grains::plates;
 use tribos::record::frames::{Frame, Kind};
 use tribos_report::packing::{Packing, PackingPicture};
 use tribos_report::runs::RunFrames;
@@ -45,7 +46,10 @@ pub fn png(run: &RunFrames, look: &RenderStyle, index: usize) -> Result<Vec<u8>,
     let frame = &run.frames[index];
     let places: Vec<[f64; 3]> = frame.places.iter().map(|at| [at.x, at.y, at.z]).collect();
     let is_powder = run.bodies.kind != Kind::Tip;
-    let piston = (run.bodies.kind == Kind::Powder).then_some(frame.height);
+    let scene = &run.bodies.scene;
+    let has_lid = run.bodies.kind == Kind::Powder
+        || (run.bodies.kind == Kind::Grains && scene["boundary_z"] == "walls");
+    let piston = has_lid.then_some(frame.height);
     let packing = Packing::new(&places, &run.bodies.radii, run.bodies.sides, piston);
     let packing = packing.map_err(Failure::run)?;
     let title = title(frame, run.bodies.kind);
@@ -58,6 +62,10 @@ pub fn png(run: &RunFrames, look: &RenderStyle, index: usize) -> Result<Vec<u8>,
     let mut picture = picture.map_err(Failure::run)?.size(width, height);
     if is_powder {
         picture = picture.headroom(run.frames[0].height);
+        if run.bodies.kind == Kind::Grains {
+            let corners = run.frames[0].corners.map(|corner| corner.map(f64::from));
+            picture = picture.plates(&plates(scene, corners));
+        }
     } else {
         picture = picture.bare();
     }

@@ -75,7 +75,7 @@ impl Checkpoint {
         atoms: usize,
         [line_width, width]: [usize; 2],
     ) -> Result<Self, CheckpointError> {
-        let value = opened(text, (NAME, VERSION), TipScene::KEYS, &scene.json())?;
+        let value = opened::<TipScene>(text, (NAME, VERSION), &scene.json())?;
         let finite = |name: &str, count: usize| {
             let numbers = numbers(&value, name)?;
             if numbers.len() == count && numbers.iter().all(|number| number.is_finite()) {

@@ -1,4 +1,5 @@
-//! Atoms and spheres in files of other programs: LAMMPS data and dumps, extended XYZ; what columns of any file mean.
+//! Atoms, spheres and triangles in files of other programs: LAMMPS data and dumps, extended XYZ, STL; what columns of any file
+//! mean.
 
 pub mod atoms;
 pub mod configuration;
@@ -6,4 +7,5 @@ pub mod extended_xyz;
 pub mod lammps;
 pub mod sphere_columns;
 pub mod spheres;
+pub mod stl;
 pub mod text;

@@ -41,8 +41,8 @@ pub struct Measurement {
     pub defaults: BTreeMap<String, Quantity>,
 }
 
-/// Branches of a summary that are not results.
-const NO_RESULTS: [&str; 3] = ["scene", "version", "wall_seconds"];
+/// Branches of a summary that are not results; averages follow from the series.
+const NO_RESULTS: [&str; 4] = ["averages", "scene", "version", "wall_seconds"];
 
 /// A scene that can be run to the end for its results.
 pub trait Measure {

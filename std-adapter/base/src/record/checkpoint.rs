@@ -2,8 +2,7 @@
 //! digits per number, the bits of each f64.
 
 use super::seal::verified;
-use crate::scene::Key;
-use crate::scene::key::with_present_names;
+use crate::scene::table::Table;
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
 
@@ -57,13 +56,12 @@ pub enum CheckpointError {
     },
 }
 
-/// The object in the text of a checkpoint of `scene`, which has these `keys`; its first key is `name`, with its format
-/// as the value.
+/// The object in the text of a checkpoint of a scene with these values; its first key is `name`, with its format as the
+/// value.
 #[doc(hidden)]
-pub fn opened(
+pub fn opened<T: Table>(
     text: &str,
     (name, format): (&str, u64),
-    keys: &[Key],
     scene: &Value,
 ) -> Result<Value, CheckpointError> {
     let version = |found| CheckpointError::Version {
@@ -81,7 +79,7 @@ pub fn opened(
     };
     match value[name].as_u64() {
         Some(found) if found == format => {
-            same_scene(&with_present_names(keys, &value["scene"]), scene)?;
+            same_scene(&T::present(&value["scene"]), scene)?;
             Ok(value)
         }
         Some(found) => Err(version(found)),

@@ -2,7 +2,7 @@
 
 use super::entries::Written;
 use super::words::meant;
-use serde_json::Value;
+use serde_json::{Map, Value};
 use std::fmt::Display;
 use std::str::FromStr;
 
@@ -50,13 +50,22 @@ pub fn present_name<'a>(keys: &[Key], name: &'a str) -> &'a str {
     renamed.map_or(name, |key| key.name)
 }
 
-/// Values of a scene that an earlier version may have written, by the present names of their keys.
-pub fn with_present_names(keys: &[Key], values: &Value) -> Value {
+/// Values of a scene that an earlier version may have written, by the present names of their keys; keys that have come
+/// since have the values of the default scene.
+pub fn with_present_names(keys: &[Key], defaults: &Value, values: &Value) -> Value {
     let Value::Object(values) = values else {
         return values.clone();
     };
     let named = |(name, value): (&String, &Value)| (present_name(keys, name).into(), value.clone());
-    Value::Object(values.iter().map(named).collect())
+    let mut present: Map<String, Value> = values.iter().map(named).collect();
+    for key in keys.iter().filter(|key| key.name != BODY.name && key.may_be_new()) {
+        if let Some(default) = defaults.get(key.name) {
+            present
+                .entry(key.name)
+                .or_insert_with(|| default.clone());
+        }
+    }
+    Value::Object(present)
 }
 
 /// Recorded times that a file can reasonably hold.
@@ -200,6 +209,14 @@ impl Domain {
 }
 
 impl Key {
+    /// Whether the scenes of earlier versions may lack it.
+    fn may_be_new(&self) -> bool {
+        matches!(
+            self.need,
+            Need::Optional | Need::OnlyWith(..) | Need::NotWith(..) | Need::Without(_)
+        )
+    }
+
     /// What is wrong with a value outside the domain, or nothing.
     pub(super) fn objection(&self, value: &Written) -> Option<String> {
         let what = match (self.domain, value) {

@@ -222,9 +222,14 @@ pub trait Table: Clone + Debug + Default + PartialEq + 'static {
         Value::Object(map)
     }
 
+    /// Values that an earlier version may have written, [as today's](with_present_names).
+    fn present(values: &Value) -> Value {
+        with_present_names(Self::TABLE, &Self::default().values(), values)
+    }
+
     /// The scene with these [values](Self::values), if it is right and has them all.
     fn of_values(values: &Value) -> Option<Self> {
-        let values = &with_present_names(Self::TABLE, values);
+        let values = &Self::present(values);
         let mut scene = Self::default();
         for (key, field) in Self::rows() {
             let written = match values.get(key.name) {

@@ -3,7 +3,9 @@
 use super::error::WorldError;
 use super::image::{ImageVelocity, Images, seen};
 use super::impact::{self, Surroundings};
+use super::moving_mesh::Surface;
 use super::residual::Coefficients;
+use super::setup::keeps_motion;
 use super::spheres::Link;
 use super::wall::Facing;
 use super::world::World;
@@ -45,7 +47,11 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             cause,
         })?;
         self.neighbours.clear();
-        self.neighbours.extend_from_slice(found);
+        let spheres = &self.state.spheres;
+        // Two that keep their motion do not feel each other.
+        let feels = |body: &u32| !keeps_motion(&spheres[*body as usize]);
+        let meets = |pair: &&[u32; 2]| pair.iter().any(feels);
+        self.neighbours.extend(found.iter().filter(meets));
         self.listed_at.clone_from(&self.state.positions);
         self.drift = 0.0;
         Ok(())
@@ -57,6 +63,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         let gaps = pairs.iter().chain(&walls).map(|(_, touch)| touch.gap);
         self.overlap = gaps.fold(0.0, |deepest, gap| deepest.max(-gap));
         let images = self.images(&pairs);
+        let surfaces = self.surfaces(&walls);
         let state = &mut self.state;
         state
             .sleep
@@ -74,6 +81,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
                 awake,
                 book,
                 gravity: &self.setup.gravity,
+                surfaces: &surfaces,
                 dt,
             };
             self.impacts.run((spheres, walls_before), &around);
@@ -88,7 +96,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             .0
             .iter_mut()
             .zip(awake)
-            .filter(|(_, awake)| **awake)
+            .filter(|(sphere, awake)| **awake && !keeps_motion(sphere))
         {
             sphere.velocity += self.setup.gravity * loaded;
         }
@@ -123,15 +131,21 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             }
         }
         problem.walls.clear();
-        for (bodies, touch) in &walls {
+        problem.surfaces.clear();
+        for (number, (bodies, touch)) in walls.iter().enumerate() {
             let [a, b] = bodies.map(|body| body as usize);
             if awake[a] {
-                let (a, b) = (&spheres[a], &walls_before[b].plate);
+                let (a, surface) = (&spheres[a], surfaces.get(number));
                 let law = match book.mixture {
                     None => wall,
                     Some(mixture) => without_restitution(mixture.at_wall(*bodies).normal),
                 };
-                let contact = Contact::new(touch, &law, a, b, dt);
+                let contact = match (walls_before.get(b), surface) {
+                    (Some(wall), _) => Contact::new(touch, &law, a, &wall.plate, dt),
+                    (None, Some(surface)) => Contact::new(touch, &law, a, surface, dt),
+                    (None, None) => continue,
+                };
+                problem.surfaces.extend(surface);
                 problem.walls.push(Link {
                     bodies: *bodies,
                     contact,
@@ -184,9 +198,31 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         pairs.iter().enumerate().filter_map(image).collect()
     }
 
+    /// Points of the mesh at the contacts with walls; none without a mesh.
+    fn surfaces(&self, walls: &[PairGeometry]) -> Vec<Surface> {
+        let Some(mesh) = &self.setup.mesh else {
+            return Vec::new();
+        };
+        let (pose, state) = (mesh.at(self.state.time), &self.state);
+        let surface = |([a, b], touch): &PairGeometry| {
+            let at_mesh = *b as usize >= state.walls.len();
+            let point = state.positions[*a as usize] + touch.normal * touch.arms[0];
+            at_mesh
+                .then(|| pose.surface(&self.setup.space, &point))
+                .unwrap_or_default()
+        };
+        walls.iter().map(surface).collect()
+    }
+
     /// Pairs of a sphere and a wall within interaction range, sphere by sphere.
     fn touching_walls(&self) -> Result<Vec<PairGeometry>, WorldError> {
         let reach = self.reach();
+        let pose = self
+            .setup
+            .mesh
+            .as_ref()
+            .map(|mesh| mesh.at(self.state.time));
+        let (space, planes) = (&self.setup.space, self.state.walls.len());
         let mut found = Vec::new();
         for (i, (x, &radius)) in self
             .state
@@ -195,11 +231,10 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             .zip(&self.setup.radii)
             .enumerate()
         {
-            for (w, wall) in self.state.walls.iter().enumerate() {
-                let Facing { outward, height } = wall.facing(&self.setup.space, x);
-                if height - radius > reach {
-                    continue;
-                }
+            if keeps_motion(&self.state.spheres[i]) {
+                continue;
+            }
+            let touches = |w: usize, Facing { outward, height }: Facing| {
                 let touch = ContactGeometry::plate(height, &outward, radius);
                 let touch = touch.map_err(|cause| WorldError::Touch {
                     step: self.state.steps,
@@ -207,7 +242,18 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
                     other: format!("wall {w}"),
                     cause,
                 })?;
-                found.push(([i as u32, w as u32], touch));
+                Ok(([i as u32, w as u32], touch))
+            };
+            for (w, wall) in self.state.walls.iter().enumerate() {
+                let facing = wall.facing(space, x);
+                if facing.height - radius > reach {
+                    continue;
+                }
+                found.push(touches(w, facing)?);
+            }
+            let Some(pose) = &pose else { continue };
+            for meeting in pose.meetings(space, x, radius + reach) {
+                found.push(touches(planes + meeting.number as usize, meeting.facing)?);
             }
         }
         Ok(found)

@@ -11,7 +11,9 @@
 //! the contact modes, the last is the energy lost in inelastic collisions. Only the work and a pull of
 //! cohesion that closes a gap can raise the energy, so the scheme creates none.
 
+use super::setup::keeps_motion;
 use super::spheres::{Link, Spheres};
+use super::to_problem::unit_sphere;
 use super::wall::Wall;
 use nalgebra::Vector3;
 use tribos_core::contact::{
@@ -49,7 +51,7 @@ use tribos_core::contact::{
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EnergyBalance {
-    /// Work of the loads on walls, of prescribed wall motions, of gravity, and of a shear.
+    /// Work of the loads on walls, of prescribed motions of walls and spheres, of gravity, and of a shear.
     pub work: f64,
     /// Energy lost in collisions and in closing gaps.
     pub normal: f64,
@@ -105,7 +107,7 @@ impl EnergyBalance {
             initial += kinetic_energy(new, &old.velocity, &old.spin);
             let change = (new.velocity - old.velocity, new.spin - old.spin);
             self.normal += kinetic_energy(new, &change.0, &change.1);
-            if *awake {
+            if *awake && !keeps_motion(new) {
                 self.work += mass * gravity.dot(&new.velocity) * dt;
             }
         }
@@ -128,16 +130,14 @@ impl EnergyBalance {
     fn contacts<F: ContactFriction<f64>>(&mut self, problem: &Spheres<F>) {
         for (link, velocity) in problem.pair_velocities() {
             self.modes(&link.contact, &velocity);
+            self.work -= problem.driven_by_pair(&link);
         }
         if !problem.images.is_empty() {
             self.work -= problem.shear_work();
         }
-        for link in &problem.walls {
-            let [a, b] = link.bodies.map(|body| body as usize);
-            let (a, b) = (&problem.spheres[a].0, &problem.plates[b]);
-            let velocity = link.contact.velocity(a, b);
+        for (wall, (link, velocity)) in problem.wall_velocities().enumerate() {
             self.modes(&link.contact, &velocity);
-            self.work -= driven_work(link, b);
+            self.work -= problem.driven_by_wall(wall);
         }
     }
 
@@ -174,6 +174,9 @@ impl EnergyBalance {
 
     /// Adds the energy of a body that is put to sleep.
     pub fn add_sleep(&mut self, sphere: &SphereBody<f64>) {
+        if keeps_motion(sphere) {
+            return;
+        }
         let energy = 0.5 * sphere.velocity.norm_squared() / sphere.inv_mass
             + 0.5 * sphere.spin.norm_squared() / sphere.inv_inertia;
         self.stilled += energy;
@@ -220,15 +223,45 @@ fn along(wall: &Wall, velocity: &Vector3<f64>) -> f64 {
     wall.outward.dot(velocity)
 }
 
-/// ½ m v² + ½ I ω² of a sphere's mass and inertia.
-pub(super) fn kinetic_energy(sphere: &SphereBody<f64>, v: &Vector3<f64>, w: &Vector3<f64>) -> f64 {
+/// ½ m v² + ½ I ω² of a sphere's mass and inertia; 0 of a sphere that keeps its motion, whose drive has the energy.
+pub(crate) fn kinetic_energy(sphere: &SphereBody<f64>, v: &Vector3<f64>, w: &Vector3<f64>) -> f64 {
+    if keeps_motion(sphere) {
+        return 0.0;
+    }
     let (mass, inertia) = (1.0 / sphere.inv_mass, 1.0 / sphere.inv_inertia);
     0.5 * (mass * v.norm_squared() + inertia * w.norm_squared())
 }
 
+impl<F: ContactFriction<f64>> Spheres<F> {
+    /// Energy that a pair transfers to the drive of a sphere that keeps its motion.
+    pub(super) fn driven_by_pair(&self, link: &Link<F::Modes>) -> f64 {
+        let bodies = link.bodies.map(|body| &self.spheres[body as usize].0);
+        if !bodies.iter().any(|body| keeps_motion(body)) {
+            return 0.0;
+        }
+        let (mut a, mut b) = (unit_sphere(), unit_sphere());
+        link.contact.apply(link.contact.impulse(), &mut a, &mut b);
+        let work = |(body, pushed): (&SphereBody<f64>, SphereBody<f64>)| {
+            body.velocity.dot(&pushed.velocity) + body.spin.dot(&pushed.spin)
+        };
+        let each = bodies.into_iter().zip([a, b]);
+        each.filter(|(body, _)| keeps_motion(body)).map(work).sum()
+    }
+
+    /// Energy that a contact transfers to the drive of its wall.
+    pub(super) fn driven_by_wall(&self, wall: usize) -> f64 {
+        let link = &self.walls[wall];
+        let Some(surface) = self.surface(wall) else {
+            return driven_work(link, &self.plates[link.bodies[1] as usize]);
+        };
+        let (impulse, normal) = (link.contact.impulse(), link.contact.normal());
+        impulse.linear(normal).dot(&surface.velocity) + impulse.angular(normal).dot(&surface.spin)
+    }
+}
+
 /// Energy transferred to the drive of a wall. The drive bears the impulse on the wall: all of it if the wall
 /// is not movable, else the part across the normal.
-pub(super) fn driven_work<M: ContactModes<f64>>(link: &Link<M>, wall: &WallBody<f64>) -> f64 {
+fn driven_work<M: ContactModes<f64>>(link: &Link<M>, wall: &WallBody<f64>) -> f64 {
     let normal = link.contact.normal();
     let felt = if wall.inv_mass > 0.0 {
         normal * wall.velocity.dot(normal)

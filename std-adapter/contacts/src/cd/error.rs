@@ -111,10 +111,28 @@ pub enum WorldError {
         /// Rate given.
         rate: f64,
     },
+    /// An axis of a deforming cell does not repeat, or follows no number.
+    #[error(
+        "axis {axis} of the cell: only a periodic axis can follow a stress or a speed, and a finite one, not {given}"
+    )]
+    Cell {
+        /// Axis: 0, 1 or 2 for x, y or z.
+        axis: usize,
+        /// Value given.
+        given: f64,
+    },
+    /// The axes of a cell under a stress have no mass.
+    #[error(
+        "the mass of an axis of the cell under a stress must be positive and finite, not {given}"
+    )]
+    CellMass {
+        /// Value given.
+        given: f64,
+    },
     /// A sphere has a mass outside the valid range, or a state that is not finite.
     #[error(
         "sphere {body}: the mass must lie between 1e-100 and 1e100, the inertia must be positive \
-         and finite, velocities finite; other units help"
+         and finite, or both infinite, velocities finite; other units help"
     )]
     Sphere {
         /// Number of the sphere.
@@ -144,6 +162,9 @@ pub enum WorldError {
          Attraction::Pull"
     )]
     Resistance,
+    /// The motion of a mesh is not finite, or its axis is no unit vector.
+    #[error("mesh: velocity, rate and centre must be finite, and the axis must have length 1")]
+    Mesh,
     /// A wall's normal is not a unit vector, its state is not finite, or its edges bound no rectangle.
     #[error(
         "wall {wall}: the normal must have length 1, place, velocity and force must be finite; a wall with edges \

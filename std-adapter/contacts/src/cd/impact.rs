@@ -28,6 +28,8 @@ use super::energy::ImpactEnergies;
 use super::image::{ImageVelocity, Images, seen};
 use super::memory::StoredForce;
 use super::mixture::LawBook;
+use super::moving_mesh::Surface;
+use super::setup::keeps_motion;
 use super::spheres::{Link, Spheres};
 use super::wall::Wall;
 use nalgebra::Vector3;
@@ -58,6 +60,8 @@ pub(super) struct Surroundings<'a, F> {
     pub book: LawBook<'a, F>,
     /// Acceleration of all spheres.
     pub gravity: &'a Vector3<f64>,
+    /// Points of the mesh at the contacts with walls; none without a mesh.
+    pub surfaces: &'a [Surface],
     /// Length of the step.
     pub dt: f64,
 }
@@ -166,6 +170,9 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         let half = 0.5 * around.dt;
         let bodies = self.spheres.iter_mut().zip(around.awake);
         for (sphere, _) in bodies.filter(|(_, awake)| **awake) {
+            if keeps_motion(sphere) {
+                continue;
+            }
             let push = around.gravity * half;
             let mean = sphere.velocity + push * 0.5;
             self.taken.work += mean.dot(&push) / sphere.inv_mass;
@@ -194,6 +201,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
         reflection.pairs.clear();
         reflection.images.clear();
         reflection.walls.clear();
+        reflection.surfaces.clear();
         let mut fastest = 0.0_f64;
         let mut images = Images::new(around.images);
         for (pair, (bodies, touch)) in pairs.iter().enumerate() {
@@ -213,16 +221,27 @@ impl<F: ContactFriction<f64>> Impacts<F> {
                 }
             }
         }
-        for (bodies, touch) in walls {
+        for (number, (bodies, touch)) in walls.iter().enumerate() {
             let [a, b] = bodies.map(|body| body as usize);
             let law = &around.book.at_wall(*bodies).normal;
             if law.restitution() == restitution && awake[a] {
-                let wall = &self.walls[b];
-                let contact = prepare(&at_plate(touch), &self.spheres[a], &wall.plate);
-                let speed = contact.velocity(&self.spheres[a], &wall.plate).normal;
-                let load = gravity + (wall.force * wall.plate.inv_mass).abs();
+                let (sphere, surface) = (&self.spheres[a], around.surfaces.get(number));
+                let (contact, speed, load) = match (self.walls.get(b), surface) {
+                    (Some(wall), _) => {
+                        let contact = prepare(&at_plate(touch), sphere, &wall.plate);
+                        let speed = contact.velocity(sphere, &wall.plate).normal;
+                        let load = gravity + (wall.force * wall.plate.inv_mass).abs();
+                        (contact, speed, load)
+                    }
+                    (None, Some(surface)) => {
+                        let contact = prepare(&at_plate(touch), sphere, surface);
+                        (contact, contact.velocity(sphere, surface).normal, gravity)
+                    }
+                    (None, None) => continue,
+                };
                 if closing.impacts(touch, law, &contact, [-speed, load]) {
                     fastest = fastest.max(-speed);
+                    reflection.surfaces.extend(surface);
                     reflection.walls.push(Link {
                         bodies: *bodies,
                         contact,

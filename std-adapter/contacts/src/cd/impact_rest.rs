@@ -48,17 +48,17 @@ pub(super) fn rests<F: ContactFriction<f64>>(problem: &mut Spheres<F>) -> bool {
         let velocities = bodies.map(|sphere| [sphere.velocity, sphere.spin]);
         rounding(link, velocities)
     };
-    let walls = |link: &Link<F::Modes>| {
+    let walls = |wall: usize, link: &Link<F::Modes>| {
         let [a, b] = link.bodies.map(|body| body as usize);
-        let (sphere, plate) = (&problem.spheres[a], &problem.plates[b]);
-        let velocities = [
-            [sphere.velocity, sphere.spin],
-            [plate.velocity, Vector3::zeros()],
-        ];
+        let sphere = &problem.spheres[a];
+        let moves = problem.surface(wall).map(|at| [at.velocity, at.spin]);
+        let plate = || [problem.plates[b].velocity, Vector3::zeros()];
+        let velocities = [[sphere.velocity, sphere.spin], moves.unwrap_or_else(plate)];
         rounding(link, velocities)
     };
     let pairs = problem.pairs.iter().map(|link| (link, spheres(&link)));
-    let walls = problem.walls.iter().map(|link| (*link, walls(link)));
+    let at_walls = problem.walls.iter().enumerate();
+    let walls = at_walls.map(|(wall, link)| (*link, walls(wall, link)));
     pairs
         .chain(walls)
         .zip(before)
@@ -114,6 +114,7 @@ mod tests {
                 .collect(),
             radii: vec![1.0; count],
             spheres: (0..count).map(thrown).collect(),
+            mesh: None,
             walls: vec![Wall::fixed(up, 0.0)],
             laws: WorldMaterials::uniform(NormalLaw::new(Cohesion::NONE, 1.0)?, friction),
             mixture: None,

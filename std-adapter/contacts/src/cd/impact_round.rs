@@ -1,7 +1,7 @@
 //! One round of impacts: reflection along the normals, friction, and the energies of both.
 
 use super::accelerated::{Accelerated, Tolerance};
-use super::energy::{driven_work, kinetic_energy};
+use super::energy::kinetic_energy;
 use super::gauss_seidel::Iterations;
 use super::impact::Impacts;
 use super::impact_rest::{TOLERANCE, rests, settle};
@@ -88,6 +88,7 @@ impl<F: ContactFriction<f64>> Impacts<F> {
             problem.join(&friction_contact(&link));
         }
         problem.images.clone_from(&source.images);
+        problem.surfaces.clone_from(&source.surfaces);
         problem.walls.clear();
         problem
             .walls
@@ -117,17 +118,18 @@ impl<F: ContactFriction<f64>> Impacts<F> {
                 add(&mut link.contact, impulse);
             }
         });
-        for link in &mut problem.walls {
+        for (wall, link) in problem.walls.iter_mut().enumerate() {
             let [a, b] = link.bodies.map(|body| body as usize);
-            if let (Some(impulse), Some(a), Some(b)) = (
-                find(walls, link.bodies),
-                spheres.get_mut(a),
-                plates.get_mut(b),
-            ) {
-                link.contact
-                    .apply(&ContactVector::default().minus(impulse), a, b);
-                add(&mut link.contact, impulse);
+            let Some((impulse, a)) = find(walls, link.bodies).zip(spheres.get_mut(a)) else {
+                continue;
+            };
+            let back = ContactVector::default().minus(impulse);
+            if let Some(b) = plates.get_mut(b) {
+                link.contact.apply(&back, a, b);
+            } else if let Some(b) = problem.surfaces.get_mut(wall) {
+                link.contact.apply(&back, a, b);
             }
+            add(&mut link.contact, impulse);
         }
     }
 
@@ -172,42 +174,29 @@ fn modal<M: ContactModes<f64>>(normal: f64) -> ContactVector<f64, M> {
 /// Normal velocity of each contact, in the order of their numbers.
 fn normal_velocities<F: ContactFriction<f64>>(problem: &Spheres<F>) -> Vec<f64> {
     let pairs = problem.pair_velocities().map(|(_, velocity)| velocity);
-    let walls = problem
-        .walls
-        .iter()
-        .map(|link| wall_velocity(problem, link));
+    let walls = problem.wall_velocities().map(|(_, velocity)| velocity);
     pairs.chain(walls).map(|velocity| velocity.normal).collect()
 }
 
-fn wall_velocity<F: ContactFriction<f64>>(
-    problem: &Spheres<F>,
-    link: &Link<F::Modes>,
-) -> ContactVector<f64, F::Modes> {
-    let [a, b] = link.bodies.map(|body| body as usize);
-    let (a, b) = (&problem.spheres[a].0, &problem.plates[b]);
-    link.contact.velocity(a, b)
-}
-
-/// Energy transferred to the drives of walls and of a shear.
+/// Energy transferred to the drives of walls, of spheres that keep their motion, and of a shear.
 fn drives<F: ContactFriction<f64>>(problem: &Spheres<F>) -> f64 {
-    let walls = problem.walls.iter();
-    let walls: f64 = walls
-        .map(|link| driven_work(link, &problem.plates[link.bodies[1] as usize]))
-        .sum();
+    let walls = (0..problem.walls.len()).map(|wall| problem.driven_by_wall(wall));
+    let pairs = problem
+        .pairs
+        .iter()
+        .map(|link| problem.driven_by_pair(&link));
+    let driven = walls.sum::<f64>() + pairs.sum::<f64>();
     if problem.images.is_empty() {
-        walls
+        driven
     } else {
-        walls + problem.shear_work()
+        driven + problem.shear_work()
     }
 }
 
 /// Energy −p·U⁺ taken by sliding, rolling and torsion, over all contacts.
 fn slipped<F: ContactFriction<f64>>(problem: &Spheres<F>) -> [f64; 3] {
     let pairs = problem.pair_velocities();
-    let walls = problem
-        .walls
-        .iter()
-        .map(|l| (*l, wall_velocity(problem, l)));
+    let walls = problem.wall_velocities();
     let mut sums = [0.0; 3];
     for (link, u) in pairs.chain(walls) {
         let p = link.contact.impulse();

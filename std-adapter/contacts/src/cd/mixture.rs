@@ -58,10 +58,13 @@ impl<F> MaterialTable<F> {
         &self.laws[usize::from(a) * self.count + usize::from(b)].pairs
     }
 
-    /// Laws of a sphere at a wall. *Domain*: numbers of a sphere and a wall.
+    /// Laws of a sphere at a wall; a mesh is of material 0. *Domain*: numbers of a sphere and a wall.
     #[inline(always)]
     pub fn at_wall(&self, [a, wall]: [u32; 2]) -> &ContactMaterial<F> {
-        let [a, b] = [self.spheres[a as usize], self.walls[wall as usize]];
+        let [a, b] = [
+            self.spheres[a as usize],
+            self.walls.get(wall as usize).copied().unwrap_or(0),
+        ];
         &self.laws[usize::from(a) * self.count + usize::from(b)].walls
     }
 

@@ -34,10 +34,15 @@ mod impact;
 mod impact_rest;
 mod impact_round;
 mod memory;
+mod mesh;
+mod mesh_grid;
+#[cfg(test)]
+mod mesh_tests;
 mod mixture;
 #[cfg(test)]
 mod mixture_tests;
 mod momentum;
+mod moving_mesh;
 mod operator;
 mod pairs;
 mod quads;
@@ -61,10 +66,16 @@ mod wall_tests;
 mod world;
 
 pub use energy::EnergyBalance;
+pub(crate) use energy::kinetic_energy;
 pub use error::WorldError;
 pub use gauss_seidel::{IterationOrder, Iterations, StopRule};
+pub use mesh::{Mesh, MeshError};
 pub use mixture::MaterialTable;
+pub use moving_mesh::MovingMesh;
+#[doc(hidden)]
+pub use moving_mesh::{Meeting, Pose, Surface};
 pub use residual::ContactResidual;
+pub(crate) use setup::keeps_motion;
 pub use setup::{ContactMaterial, StepLimits, WorldMaterials, WorldSetup, solid};
 pub use solver::{ContactSolver, SolverMethod};
 #[doc(hidden)]

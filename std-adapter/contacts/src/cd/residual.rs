@@ -128,9 +128,9 @@ where
             problem.pair_friction(link.bodies),
         );
     }
-    for link in &problem.walls {
-        let [a, b] = link.bodies.map(|body| body as usize);
-        let velocity = link.contact.velocity(&spheres[a], &plates[b]);
+    for (wall, link) in problem.walls.iter().enumerate() {
+        let sphere = &spheres[link.bodies[0] as usize];
+        let velocity = problem.velocity_at_wall(wall, (sphere, &plates));
         sum.add(link, &velocity, problem.wall_friction(link.bodies));
     }
     sum.finish()
@@ -147,9 +147,11 @@ fn velocities<F: ContactFriction<f64>>(
             contact.apply(contact.impulse(), a, b);
         }
     }
-    for Link { bodies, contact } in &problem.walls {
+    for (wall, Link { bodies, contact }) in problem.walls.iter().enumerate() {
         let [a, b] = bodies.map(|body| body as usize);
-        if let (Some(a), Some(b)) = (spheres.get_mut(a), plates.get_mut(b)) {
+        if let (Some(a), Some(surface)) = (spheres.get_mut(a), problem.surface(wall)) {
+            contact.apply(contact.impulse(), a, &mut { *surface });
+        } else if let (Some(a), Some(b)) = (spheres.get_mut(a), plates.get_mut(b)) {
             contact.apply(contact.impulse(), a, b);
         }
     }

@@ -2,6 +2,7 @@
 
 use super::error::WorldError;
 use super::mixture::{LawBook, MaterialTable};
+use super::moving_mesh::MovingMesh;
 use super::shear::flow;
 use super::solver::ContactSolver;
 use super::wall::{UNIT, Wall};
@@ -92,10 +93,13 @@ pub struct WorldSetup<F> {
     pub positions: Vec<Vector3<f64>>,
     /// Radii of the spheres.
     pub radii: Vec<f64>,
-    /// Velocities, inverse masses and inertias of the spheres; see [`solid`].
+    /// Velocities, inverse masses and inertias of the spheres; see [`solid`]. A sphere whose inverses are both 0
+    /// keeps its motion, whatever pushes it: fixed if it is at rest, driven otherwise.
     pub spheres: Vec<SphereBody<f64>>,
     /// Walls and pistons.
     pub walls: Vec<Wall>,
+    /// A wall of triangles. Its contacts are numbered after those of the other walls.
+    pub mesh: Option<MovingMesh>,
     /// Contact laws.
     pub laws: WorldMaterials<F>,
     /// Materials of the bodies and their laws, in place of `laws`, if there are several.
@@ -124,6 +128,7 @@ impl<F> WorldSetup<F> {
             radii: Vec::new(),
             spheres: Vec::new(),
             walls: Vec::new(),
+            mesh: None,
             laws,
             mixture: None,
             gravity: Vector3::zeros(),
@@ -247,8 +252,8 @@ impl<F> WorldSetup<F> {
             return Err(WorldError::Mixture);
         }
         let sphere = |sphere: &SphereBody<f64>| {
-            MASSES.contains(&(1.0 / sphere.inv_mass))
-                && valid(sphere.inv_inertia)
+            let moves = MASSES.contains(&(1.0 / sphere.inv_mass)) && valid(sphere.inv_inertia);
+            (moves || keeps_motion(sphere))
                 && (sphere.velocity.norm() + sphere.spin.norm()).is_finite()
         };
         if let Some(body) = self.spheres.iter().position(|body| !sphere(body)) {
@@ -265,11 +270,19 @@ impl<F> WorldSetup<F> {
                 && wall.plate.inv_mass >= 0.0
                 && wall.plate.inv_mass.is_finite()
         };
+        if !self.mesh.as_ref().is_none_or(MovingMesh::is_valid) {
+            return Err(WorldError::Mesh);
+        }
         match self.walls.iter().position(|plane| !wall(plane)) {
             Some(wall) => Err(WorldError::Wall { wall }),
             None => Ok(()),
         }
     }
+}
+
+/// Whether no impulse changes the motion of a sphere.
+pub(crate) fn keeps_motion(sphere: &SphereBody<f64>) -> bool {
+    sphere.inv_mass == 0.0 && sphere.inv_inertia == 0.0
 }
 
 /// A solid sphere at rest.

@@ -2,6 +2,7 @@
 
 use super::assemble::PairGeometry;
 use super::energy::EnergyBalance;
+use super::setup::keeps_motion;
 use super::wall::Wall;
 use tribos_core::contact::SphereBody;
 
@@ -88,7 +89,8 @@ impl Sleep {
         // A wall that can move, or does, joins the group of the bodies that it touches.
         let moves = |wall: &Wall| wall.plate.inv_mass > 0.0 || wall.plate.velocity.norm() > 0.0;
         for ([a, wall], _) in walls {
-            if plates.get(*wall as usize).is_some_and(moves) {
+            // A mesh is taken to move.
+            if plates.get(*wall as usize).is_none_or(moves) {
                 join(&mut self.group, *a, count);
             }
         }
@@ -116,7 +118,11 @@ impl Sleep {
         }
         for (sphere, still) in spheres.iter().zip(&mut self.still) {
             // A solid sphere's surface speed from its inertia: R² = 2.5 I/m.
-            let turn = sphere.spin.norm() * (2.5 * sphere.inv_mass / sphere.inv_inertia).sqrt();
+            let turn = if keeps_motion(sphere) {
+                0.0
+            } else {
+                sphere.spin.norm() * (2.5 * sphere.inv_mass / sphere.inv_inertia).sqrt()
+            };
             let moves = sphere.velocity.norm() + turn > sleep_speed;
             *still = if moves { 0 } else { still.saturating_add(1) };
         }

@@ -4,6 +4,7 @@ use super::aligned::Aligned;
 use super::image::{ImageVelocity, Images, seen};
 use super::mixture::{MaterialTable, PairFriction, Same};
 use super::momentum::{Moving, extrapolate};
+use super::moving_mesh::Surface;
 use super::operator::{Impulse, Monitor, Operator, Visit};
 use super::pairs::Pairs;
 use super::schedule::Schedule;
@@ -80,8 +81,10 @@ pub struct Spheres<F: ContactFriction<f64>> {
     pub pairs: Pairs<F::Modes>,
     /// Pairs whose second sphere takes part as an image across the border of a sheared cell, in ascending order.
     pub images: Vec<ImageVelocity>,
-    /// Contacts of a sphere with a plate.
+    /// Contacts of a sphere with a plate, or with a mesh, whose numbers follow those of the plates.
     pub walls: Vec<Link<F::Modes>>,
+    /// Points of the mesh at these contacts, one a contact with plates too; none without a mesh.
+    pub surfaces: Vec<Surface>,
     /// Friction between spheres, and at plates.
     pub friction: [F; 2],
     /// Materials and their friction, in place of `friction`, if there are several.
@@ -102,6 +105,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             pairs: Pairs::default(),
             images: Vec::new(),
             walls: Vec::new(),
+            surfaces: Vec::new(),
             friction,
             mixture: None,
             schedule: Schedule::default(),
@@ -161,6 +165,39 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             None => &self.friction[1],
             Some(mixture) => &mixture.at_wall(bodies).friction,
         }
+    }
+
+    /// The point of the mesh at a contact with a wall; `None` if that is a plate.
+    #[inline(always)]
+    pub(super) fn surface(&self, wall: usize) -> Option<&Surface> {
+        let surface = self.surfaces.get(wall)?;
+        let is_plate = (self.walls.get(wall)?.bodies[1] as usize) < self.free.1.len();
+        (!is_plate).then_some(surface)
+    }
+
+    /// Relative velocity at a contact with a wall, of a sphere and plates in this motion.
+    pub(super) fn velocity_at_wall(
+        &self,
+        wall: usize,
+        (sphere, plates): (&SphereBody<f64>, &[WallBody<f64>]),
+    ) -> ContactVector<f64, F::Modes> {
+        let link = &self.walls[wall];
+        match self.surface(wall) {
+            None => link
+                .contact
+                .velocity(sphere, &plates[link.bodies[1] as usize]),
+            Some(surface) => link.contact.velocity(sphere, surface),
+        }
+    }
+
+    /// Contacts with walls and their relative velocities.
+    pub(super) fn wall_velocities(
+        &self,
+    ) -> impl Iterator<Item = (Link<F::Modes>, ContactVector<f64, F::Modes>)> {
+        self.walls.iter().enumerate().map(|(wall, link)| {
+            let sphere = &self.spheres[link.bodies[0] as usize].0;
+            (*link, self.velocity_at_wall(wall, (sphere, &self.plates)))
+        })
     }
 
     /// The spheres with their current velocities.
@@ -374,9 +411,14 @@ impl<F: ContactFriction<f64>> Spheres<F> {
 
     /// Applies the impulses at plates.
     fn apply_walls(&mut self) {
-        for link in &self.walls {
+        for (wall, link) in self.walls.iter().enumerate() {
             let [a, b] = link.bodies.map(|body| body as usize);
-            if let (Some(a), Some(b)) = (self.spheres.get_mut(a), self.plates.get_mut(b)) {
+            let Some(a) = self.spheres.get_mut(a) else {
+                continue;
+            };
+            if let Some(b) = self.plates.get_mut(b) {
+                link.contact.apply(link.contact.impulse(), &mut a.0, b);
+            } else if let Some(b) = self.surfaces.get_mut(wall) {
                 link.contact.apply(link.contact.impulse(), &mut a.0, b);
             }
         }
@@ -443,8 +485,15 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             Some(mixture) => &mixture.at_wall(link.bodies).friction,
         };
         let [a, b] = link.bodies.map(|body| body as usize);
-        if let (Some(a), Some(b)) = (self.spheres.get_mut(a), self.plates.get_mut(b)) {
-            // A sphere that sticks is held by one visit.
+        let Some(a) = self.spheres.get_mut(a) else {
+            return;
+        };
+        // A sphere that sticks is held by one visit.
+        if let Some(b) = self.plates.get_mut(b) {
+            let hold =
+                |contact: &mut Contact<_, _>| contact.hold_or_take_turn(friction, &mut a.0, b);
+            visit(&mut link.contact, swept, hold).tell(watch);
+        } else if let Some(b) = self.surfaces.get_mut(index) {
             let hold =
                 |contact: &mut Contact<_, _>| contact.hold_or_take_turn(friction, &mut a.0, b);
             visit(&mut link.contact, swept, hold).tell(watch);

@@ -44,9 +44,19 @@ impl<F: ContactFriction<f64> + Coefficients> Spheres<F> {
             let still = link.contact.velocity(&a.1, &prescribed);
             posing.add(&link, self.pair_friction(link.bodies), rows, &still)?;
         }
-        for link in &self.walls {
+        for (index, link) in self.walls.iter().enumerate() {
             let [a, b] = link.bodies.map(|body| body as usize);
             let a = posing.sphere(self, a);
+            if let Some(surface) = self.surface(index) {
+                let rows = |impulse: &ContactVector<f64, F::Modes>| {
+                    let mut first = unit_sphere();
+                    link.contact.apply(impulse, &mut first, &mut { *surface });
+                    [(a.0, first), (Freedoms::default(), still_sphere())]
+                };
+                let still = link.contact.velocity(&a.1, surface);
+                posing.add(link, self.wall_friction(link.bodies), rows, &still)?;
+                continue;
+            }
             let (normal, b) = posing.plate(self, b, link.contact.normal());
             let rows = |impulse: &ContactVector<f64, F::Modes>| {
                 let mut first = unit_sphere();
@@ -106,7 +116,7 @@ fn still_sphere() -> SphereBody<f64> {
 }
 
 /// A sphere whose velocities are the impulses it receives.
-fn unit_sphere() -> SphereBody<f64> {
+pub(super) fn unit_sphere() -> SphereBody<f64> {
     SphereBody {
         inv_mass: 1.0,
         inv_inertia: 1.0,

@@ -5,6 +5,7 @@ use super::error::WorldError;
 use super::gauss_seidel::Iterations;
 use super::impact::{self, Counts, Impacts};
 use super::memory::Memory;
+use super::moving_mesh::MovingMesh;
 use super::operator::Operator;
 use super::residual::{Coefficients, ContactResidual, residual};
 use super::setup::WorldSetup;
@@ -259,6 +260,8 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             fastest = fastest.max(speed);
         }
         let plates = plates.iter().map(|plate| plate.velocity.norm());
+        let mesh = self.setup.mesh.as_ref().map_or(0.0, MovingMesh::fastest);
+        let fastest = fastest.max(mesh);
         Ok(plates.fold(fastest, f64::max))
     }
 

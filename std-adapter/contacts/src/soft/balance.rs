@@ -2,7 +2,7 @@
 
 use super::contact::Energies;
 use super::world::{SoftState, SoftWorld};
-use crate::cd::{Wall, WorldError};
+use crate::cd::{Wall, WorldError, keeps_motion};
 use tribos_core::contact::{ContactFriction, SphereBody};
 
 impl<F: ContactFriction<f64>> SoftWorld<F> {
@@ -33,6 +33,9 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
     /// Kinetic energy of spheres and pistons.
     pub(super) fn kinetic(&self) -> f64 {
         let sphere = |sphere: &SphereBody<f64>| {
+            if keeps_motion(sphere) {
+                return 0.0;
+            }
             sphere.velocity.norm_squared() / sphere.inv_mass
                 + sphere.spin.norm_squared() / sphere.inv_inertia
         };

@@ -28,15 +28,18 @@
 //! ```
 
 mod balance;
+mod cell;
 mod contact;
 mod kick;
 mod law;
+mod mesh;
 mod neighbours;
 mod setup;
 mod step_length;
 mod transport;
 mod world;
 
+pub use cell::{AxisControl, CellControl};
 pub use contact::SoftContact;
 pub use law::Stiffness;
 #[doc(hidden)]

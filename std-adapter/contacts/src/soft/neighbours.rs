@@ -2,7 +2,7 @@
 
 use super::contact::SoftContact;
 use super::world::SoftWorld;
-use crate::cd::{Wall, WorldError};
+use crate::cd::{Wall, WorldError, keeps_motion};
 use nalgebra::Vector3;
 use tribos_core::contact::{ContactBody, ContactFriction, ContactGeometry, ContactModes};
 use tribos_core::internals::Block;
@@ -14,46 +14,66 @@ const SKIN: f64 = 0.3;
 impl<F: ContactFriction<f64>> SoftWorld<F> {
     /// Renews the list of neighbours once something has moved by half the margin.
     pub(super) fn list_neighbours(&mut self) -> Result<(), WorldError> {
-        let far = 0.5 * self.skin;
+        let far = 0.5 * (self.skin - self.image_drift);
         let positions = &self.state.positions;
         let moved = |(x, y): (&Vector3<f64>, &Vector3<f64>)| (x - y).norm_squared() > far * far;
         let shifted = |(wall, y): (&Wall, &f64)| (wall.place - y).abs() > far;
         let is_listed = self.listed
+            && (self.image_drift == 0.0 || far > 0.0)
             && !positions.iter().zip(&self.listed_at).any(moved)
             && !self.state.walls.iter().zip(&self.listed_walls).any(shifted);
         if is_listed {
             return Ok(());
         }
+        if self.setup.cell.is_some() {
+            self.skin = self.default_skin();
+        }
         let [range, at_walls] = self.laws.map(|law| law.cohesion.range());
         let step = self.state.steps;
         let found = self.cells.find(
-            &self.setup.space,
+            &self.state.space,
             positions,
             &self.setup.radii,
             range.max(0.0) + self.skin,
         );
         let pairs = found.map_err(|cause| WorldError::Neighbours { step, cause })?;
         let (spheres, radii) = (&self.state.spheres, &self.setup.radii);
-        let pairs = pairs.iter().map(|&bodies| {
+        // Two that keep their motion do not feel each other.
+        let feels = |body: u32| !keeps_motion(&spheres[body as usize]);
+        let pairs = pairs
+            .iter()
+            .filter(|pair| pair.iter().any(|body| feels(*body)));
+        let pairs = pairs.map(|&bodies| {
             let [i, j] = bodies.map(|body| body as usize);
             let block = block([radii[i], radii[j]], &spheres[i], &spheres[j]);
             SoftContact::apart(bodies, &block)
         });
         let mut lists = [pairs.collect(), Vec::new()];
         for (i, x) in positions.iter().enumerate() {
+            if !feels(i as u32) {
+                continue;
+            }
             for (w, wall) in self.state.walls.iter().enumerate() {
-                let height = wall.facing(&self.setup.space, x).height;
+                let height = wall.facing(&self.state.space, x).height;
                 if height - radii[i] <= at_walls + self.skin {
                     let block = block([radii[i], 0.0], &spheres[i], &wall.plate);
                     lists[1].push(SoftContact::apart([i as u32, w as u32], &block));
                 }
             }
         }
+        // Contacts with the mesh are found after every step.
+        let planes = self.state.walls.len() as u32;
+        let at_mesh = self.state.contacts[1]
+            .iter()
+            .filter(|contact| contact.bodies[1] >= planes);
+        lists[1].extend(at_mesh);
+        lists[1].sort_by_key(|contact| contact.bodies);
         for (new, old) in lists.iter_mut().zip(&self.state.contacts) {
             recall(new, old);
         }
         self.state.contacts = lists;
         self.listed = true;
+        self.image_drift = 0.0;
         self.listed_at.clone_from(&self.state.positions);
         self.listed_walls.clear();
         self.listed_walls
@@ -71,7 +91,7 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             .fold(f64::INFINITY, f64::min);
         let largest = self.setup.radii.iter().copied().fold(0.0, f64::max);
         let range = self.laws[0].cohesion.range();
-        let lengths = self.setup.space.lengths().into_iter().flatten();
+        let lengths = self.state.space.lengths().into_iter().flatten();
         let room = lengths.fold(f64::INFINITY, f64::min) * 0.5 - 2.0 * largest - range;
         let skin = (SKIN * smallest).min(room);
         if skin > 0.0 && skin.is_finite() {
@@ -83,7 +103,11 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
 }
 
 /// Effective masses of two bodies whose surfaces just touch.
-fn block(radii: [f64; 2], a: &impl ContactBody<f64>, b: &impl ContactBody<f64>) -> Block<f64> {
+pub(super) fn block(
+    radii: [f64; 2],
+    a: &impl ContactBody<f64>,
+    b: &impl ContactBody<f64>,
+) -> Block<f64> {
     let touch = ContactGeometry {
         normal: Vector3::zeros(),
         gap: 0.0,

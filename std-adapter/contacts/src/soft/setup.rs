@@ -1,8 +1,9 @@
 //! Initial state, laws and parameters of a world of soft spheres.
 
+use super::cell::CellControl;
 use super::law::Law;
 use super::law::Stiffness;
-use crate::cd::{self, StepLimits, Wall, WorldError, WorldMaterials};
+use crate::cd::{self, MovingMesh, StepLimits, Wall, WorldError, WorldMaterials};
 use nalgebra::Vector3;
 use tribos_base::space::PeriodicBox;
 use tribos_core::contact::{Attraction, SphereBody};
@@ -18,10 +19,13 @@ pub struct SoftSetup<F> {
     pub positions: Vec<Vector3<f64>>,
     /// Radii of the spheres.
     pub radii: Vec<f64>,
-    /// Velocities, inverse masses and inertias of the spheres; see [`solid`](crate::cd::solid).
+    /// Velocities, inverse masses and inertias of the spheres; see [`solid`](crate::cd::solid). A sphere whose inverses
+    /// are both 0 keeps its motion.
     pub spheres: Vec<SphereBody<f64>>,
     /// Walls and pistons.
     pub walls: Vec<Wall>,
+    /// A wall of triangles. Its contacts are numbered after those of the other walls.
+    pub mesh: Option<MovingMesh>,
     /// Cohesion and friction. A restitution above 0 stands for the [`Stiffness::damping_ratio_of`] ratio that leads to it.
     pub laws: WorldMaterials<F>,
     /// Normal spring of every contact.
@@ -34,6 +38,8 @@ pub struct SoftSetup<F> {
     pub longest: f64,
     /// Least number of steps of a collision: at least 2.
     pub steps_per_collision: f64,
+    /// How the periodic box is deformed, if it is.
+    pub cell: Option<CellControl>,
 }
 
 /// Usual steps of a collision: its restitution is then right to 0.5 % from e = 0.1 to 1.
@@ -52,12 +58,14 @@ impl<F> SoftSetup<F> {
             radii: Vec::new(),
             spheres: Vec::new(),
             walls: Vec::new(),
+            mesh: None,
             laws,
             stiffness,
             damping: 1.0,
             gravity: Vector3::zeros(),
             longest: StepLimits::default().longest,
             steps_per_collision: STEPS_PER_COLLISION,
+            cell: None,
         }
     }
 
@@ -112,6 +120,7 @@ impl<F: Copy> SoftSetup<F> {
             radii: self.radii.clone(),
             spheres: self.spheres.clone(),
             walls: self.walls.clone(),
+            mesh: self.mesh.clone(),
             gravity: self.gravity,
             step_limits: StepLimits {
                 longest: self.longest,
@@ -119,6 +128,9 @@ impl<F: Copy> SoftSetup<F> {
             },
             ..cd::WorldSetup::new(self.laws)
         };
+        if let Some(cell) = &self.cell {
+            cell.check(&self.space)?;
+        }
         bodies.check()
     }
 

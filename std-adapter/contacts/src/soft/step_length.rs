@@ -10,7 +10,7 @@
 //!   less than that overlap, which takes its place.
 
 use super::law::{Stiffness, duration};
-use crate::cd::Wall;
+use crate::cd::{MovingMesh, Wall, keeps_motion};
 use nalgebra::Vector3;
 use tribos_core::contact::{Cohesion, SphereBody};
 
@@ -41,6 +41,8 @@ pub struct StepLength {
     gravity: f64,
     longest: f64,
     steps_per_collision: f64,
+    /// Largest speed of a mesh.
+    mesh: f64,
 }
 
 impl StepLength {
@@ -56,11 +58,12 @@ impl StepLength {
             stiffness: setup.stiffness,
             damping: laws[0].damping.max(laws[1].damping),
             cohesions: laws.map(|law| law.cohesion),
-            mass: extremes(&mut setup.spheres.iter().map(|sphere| 1.0 / sphere.inv_mass)),
+            mass: extremes(&mut masses(&setup.spheres)),
             radius: extremes(&mut setup.radii.iter().copied()),
             gravity: setup.gravity.norm(),
             longest: setup.longest,
             steps_per_collision: setup.steps_per_collision,
+            mesh: setup.mesh.as_ref().map_or(0.0, MovingMesh::fastest),
         }
     }
 
@@ -85,6 +88,7 @@ impl StepLength {
             gravity: 0.0,
             longest: f64::MAX,
             steps_per_collision,
+            mesh: 0.0,
         }
     }
 
@@ -96,7 +100,7 @@ impl StepLength {
         deepest: f64,
         at: &[usize],
     ) -> f64 {
-        let speed = fastest(spheres, walls);
+        let speed = fastest(spheres, walls).max(self.mesh);
         let slope = self.slope(speed, deepest);
         // A piston on many spheres moves against all of their springs.
         let pistons = walls.iter().zip(at);
@@ -140,6 +144,12 @@ impl StepLength {
         let overlap = impact.max(pulled).max(DEEPER * deepest);
         law.force(overlap, largest)[1]
     }
+}
+
+/// Masses of the spheres that forces move.
+fn masses(spheres: &[SphereBody<f64>]) -> impl Iterator<Item = f64> {
+    let moving = spheres.iter().filter(|sphere| !keeps_motion(sphere));
+    moving.map(|sphere| 1.0 / sphere.inv_mass)
 }
 
 /// Largest speed of any body.

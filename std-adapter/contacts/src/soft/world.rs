@@ -1,10 +1,14 @@
 //! Motion of soft spheres and plates: leapfrog, with velocities at the ends of the steps.
 
+use super::cell::{self, CellLoads};
 use super::contact::{Energies, Motion, SoftContact};
 use super::law::Law;
+use super::mesh::{Met, find};
 use super::setup::SoftSetup;
 use super::step_length::{StepLength, fastest};
-use crate::cd::{EnergyBalance, Facing, Iterations, StepReport, Wall, WorldError};
+use crate::cd::{
+    EnergyBalance, Facing, Iterations, MovingMesh, StepReport, Wall, WorldError, keeps_motion,
+};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 use tribos_base::space::PeriodicBox;
@@ -27,6 +31,10 @@ pub struct SoftState<M: ContactModes<f64>> {
     pub spheres: Vec<SphereBody<f64>>,
     /// Walls with their current positions and velocities.
     pub walls: Vec<Wall>,
+    /// The periodic box, with the images of a sheared one at their current places.
+    pub space: PeriodicBox,
+    /// Speeds at which the lengths of the box change.
+    pub speeds: [f64; 3],
     /// Energy balance so far.
     pub energy: EnergyBalance,
     /// Pairs of neighbours, and spheres near walls, in ascending order of the bodies. Most of them are apart.
@@ -75,13 +83,22 @@ pub struct SoftWorld<F: ContactFriction<f64>> {
     pub(super) listed: bool,
     pub(super) listed_at: Vec<Vector3<f64>>,
     pub(super) listed_walls: Vec<f64>,
+    /// Motion of the images since then, relative to the spheres.
+    pub(super) image_drift: f64,
+    /// Loads of the contacts on the cell.
+    pub(super) cell_loads: CellLoads,
     /// Energies of all contacts in the last step.
     pub(super) energies: Vec<Result<Energies, ContactError>>,
     /// Force and torque on each sphere, force on each wall.
     loads: Vec<[Vector3<f64>; 2]>,
     wall_loads: Vec<Vector3<f64>>,
+    /// Power that the mesh takes from the spheres, as the loads are.
+    mesh_load: f64,
     /// Contacts in range at each wall.
     at_walls: Vec<usize>,
+    /// Spheres in range of the mesh, and the time of its place.
+    pub(super) met: Vec<Met>,
+    pub(super) met_at: f64,
 }
 
 /// Force and springs of a contact, with its bodies.
@@ -101,11 +118,15 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             positions: setup.positions.clone(),
             spheres: setup.spheres.clone(),
             walls: setup.walls.clone(),
+            space: setup.space,
+            speeds: [0.0; 3],
             energy: EnergyBalance::default(),
             contacts: [Vec::new(), Vec::new()],
             origin: None,
         };
-        Ok(Self::resume(setup, state))
+        let mut world = Self::resume(setup, state);
+        world.add_flow();
+        Ok(world)
     }
 
     /// A world that continues from a state of a world with the same setup.
@@ -119,10 +140,15 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             listed: false,
             listed_at: Vec::new(),
             listed_walls: Vec::new(),
+            image_drift: 0.0,
+            cell_loads: CellLoads::default(),
             energies: Vec::new(),
             loads: Vec::new(),
             wall_loads: Vec::new(),
+            mesh_load: 0.0,
             at_walls: Vec::new(),
+            met: Vec::new(),
+            met_at: 0.0,
             setup,
         };
         world.skin = world.default_skin();
@@ -153,7 +179,8 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
     /// Largest speed of any body.
     #[doc(hidden)]
     pub fn fastest(&self) -> f64 {
-        fastest(&self.state.spheres, &self.state.walls)
+        let mesh = self.setup.mesh.as_ref().map_or(0.0, MovingMesh::fastest);
+        fastest(&self.state.spheres, &self.state.walls).max(mesh)
     }
 
     /// Restores forces and springs of pairs and at walls, in ascending order of their bodies.
@@ -164,14 +191,17 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
     ) -> Result<(), WorldError> {
         self.listed = false;
         self.list_neighbours()?;
+        self.meet_mesh(0.0);
+        let met = &self.met;
         let SoftState {
             positions,
             walls,
             contacts,
             steps,
+            space,
             ..
         } = &mut self.state;
-        let (space, radii) = (&self.setup.space, &self.setup.radii);
+        let (space, radii) = (&*space, &self.setup.radii);
         for (kind, (contacts, stored)) in contacts.iter_mut().zip(stored).enumerate() {
             let mut stored = stored.iter().peekable();
             for contact in contacts {
@@ -182,10 +212,14 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
                 };
                 let [i, j] = bodies.map(|body| body as usize);
                 let touch = if kind == 0 {
-                    let (apart, _) = nearest_image(space, &positions[i], &positions[j]);
+                    let apart = space.displacement(&positions[i], &positions[j]);
                     ContactGeometry::spheres(&apart, [radii[i], radii[j]])
                 } else {
-                    let Facing { outward, height } = walls[j].facing(space, &positions[i]);
+                    let wall = walls.get(j).map(|wall| wall.facing(space, &positions[i]));
+                    let facing = wall.or_else(|| Some(find(met, *bodies)?.facing));
+                    let Some(Facing { outward, height }) = facing else {
+                        continue;
+                    };
                     ContactGeometry::plate(height, &outward, radii[i])
                 };
                 let touch = touch.map_err(|cause| WorldError::Touch {
@@ -204,11 +238,13 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
     /// the new forces change the velocities for its second half.
     pub fn step(&mut self) -> Result<StepReport, WorldError> {
         self.begin()?;
+        self.impose_speeds()?;
         let deepest = self.add_loads(|contact| contact.in_range.then_some(&contact.force));
         let SoftState { spheres, walls, .. } = &self.state;
         let dt = self.length.next(spheres, walls, deepest, &self.at_walls);
         self.kick(0.5 * dt, 0.5 * dt);
         self.drift(dt);
+        self.drift_cell(dt)?;
         self.check_motion()?;
         self.list_neighbours()?;
         let taken = self.find_forces(dt)?;
@@ -259,6 +295,10 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             .resize(self.state.walls.len(), Vector3::zeros());
         self.at_walls.clear();
         self.at_walls.resize(self.state.walls.len(), 0);
+        let mut cell = CellLoads::default();
+        let pose = self.setup.mesh.as_ref().map(|mesh| mesh.at(self.met_at));
+        let positions = &self.state.positions;
+        self.mesh_load = 0.0;
         let [pairs, walls] = &self.state.contacts;
         for (contact, load) in pairs
             .iter()
@@ -268,6 +308,7 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             let (force, couple) = (load.linear(&contact.normal), load.angular(&contact.normal));
             let turn = contact.normal.cross(&force);
             let distance = contact.gap + (radii[i] + radii[j]);
+            self.load_cell(&mut cell, [i, j], &force, &(contact.normal * distance));
             let share = distance / (radii[i] + radii[j]);
             self.loads[i][0] -= force;
             self.loads[i][1] -= turn * (share * radii[i]) + couple;
@@ -275,6 +316,7 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             self.loads[j][1] -= turn * (share * radii[j]) - couple;
             deepest = deepest.max(-contact.gap);
         }
+        self.cell_loads = cell;
         for (contact, load) in walls
             .iter()
             .filter_map(|contact| Some((contact, of(contact)?)))
@@ -284,8 +326,14 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             self.loads[i][0] -= force;
             let turn = contact.normal.cross(&force);
             self.loads[i][1] -= turn * (contact.gap + radii[i]) + couple;
-            self.wall_loads[w] += force;
-            self.at_walls[w] += 1;
+            if let Some(wall) = self.wall_loads.get_mut(w) {
+                *wall += force;
+                self.at_walls[w] += 1;
+            } else if let Some(pose) = &pose {
+                let way = contact.normal * (contact.gap + radii[i]);
+                let surface = pose.surface(&self.setup.space, &(positions[i] + way));
+                self.mesh_load += force.dot(&surface.velocity) + couple.dot(&surface.spin);
+            }
             deepest = deepest.max(-contact.gap);
         }
         deepest
@@ -293,6 +341,7 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
 
     /// New velocities after half a step, from the loads times a time.
     fn kick(&mut self, time: f64, half: f64) {
+        self.kick_cell(time, half);
         let gravity = self.setup.gravity * half;
         let SoftState {
             spheres,
@@ -300,7 +349,13 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             energy,
             ..
         } = &mut self.state;
+        energy.work -= self.mesh_load * time;
         for (sphere, [force, torque]) in spheres.iter_mut().zip(&self.loads) {
+            if keeps_motion(sphere) {
+                // What drives it does the work of these forces.
+                energy.work -= (force.dot(&sphere.velocity) + torque.dot(&sphere.spin)) * time;
+                continue;
+            }
             sphere.velocity += force * (sphere.inv_mass * time) + gravity;
             sphere.spin += torque * (sphere.inv_inertia * time);
         }
@@ -330,6 +385,9 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
         let mut work = 0.0;
         for (sphere, x) in spheres.iter().zip(positions) {
             *x += sphere.velocity * dt;
+            if keeps_motion(sphere) {
+                continue;
+            }
             work += gravity.dot(&sphere.velocity) / sphere.inv_mass;
         }
         for wall in walls {
@@ -363,18 +421,28 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
 
     /// Springs, forces and energies of all contacts after a step of length `dt`.
     fn find_forces(&mut self, dt: f64) -> Result<Energies, WorldError> {
+        self.meet_mesh(dt);
+        let pose = self.setup.mesh.as_ref().map(|mesh| mesh.at(self.met_at));
+        let met = &self.met;
         let SoftState {
             positions,
             spheres,
             walls,
             contacts,
+            space,
+            speeds,
             ..
         } = &mut self.state;
-        let (space, radii, [pair, wall]) = (&self.setup.space, &self.setup.radii, &self.laws);
+        let (space, radii, [pair, wall]) = (&*space, &self.setup.radii, &self.laws);
+        let (speeds, cell) = (&*speeds, &self.setup.cell);
         let [pairs, at_walls] = contacts;
         let across = |contact: &mut SoftContact<F::Modes>| {
             let [i, j] = contact.bodies.map(|body| body as usize);
-            let (apart, border) = nearest_image(space, &positions[i], &positions[j]);
+            let between = [&positions[i], &positions[j]];
+            let (apart, border) = match cell {
+                None => (space.displacement(between[0], between[1]), Vector3::zeros()),
+                Some(cell) => cell::image(space, speeds, cell.shear_rate, between),
+            };
             let gap = apart.norm() - (radii[i] + radii[j]);
             if is_apart(gap, pair.cohesion.range()) {
                 let lever = radii[i] * radii[j] / (radii[i] + radii[j]);
@@ -402,7 +470,30 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
         }
         for contact in at_walls.iter_mut() {
             let [i, w] = contact.bodies.map(|body| body as usize);
-            let plate = &walls[w];
+            let Some(plate) = walls.get(w) else {
+                let radius = radii[i];
+                let energies = match find(met, contact.bodies) {
+                    Some(Met {
+                        facing, surface, ..
+                    }) => ContactGeometry::plate(facing.height, &facing.outward, radius).map(
+                        |touch| {
+                            let motion = relative(&touch, &spheres[i], surface, &Vector3::zeros());
+                            contact.advance(&touch, &motion, wall, dt)
+                        },
+                    ),
+                    None => {
+                        // Beyond the end of a part its plane goes on, and nothing is there.
+                        let number = (w - walls.len()) as u32;
+                        let facing =
+                            pose.and_then(|pose| pose.facing(number, space, &positions[i]));
+                        let gap = facing.map_or(0.0, |facing| facing.height - radius);
+                        let gap = gap.max(wall.cohesion.range().max(0.0));
+                        Ok(contact.part(gap, wall, radius, dt))
+                    }
+                };
+                self.energies.push(energies);
+                continue;
+            };
             let Facing { outward, height } = plate.facing(space, &positions[i]);
             let gap = height - radii[i];
             self.energies.push(if is_apart(gap, wall.cohesion.range()) {
@@ -424,17 +515,6 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
 /// Whether nothing acts across a gap.
 fn is_apart(gap: f64, range: f64) -> bool {
     gap >= 0.0 && gap > range
-}
-
-/// Vector from a sphere to the nearest image of another, and the velocity of that image against the other
-/// itself: zero in a cell at rest.
-#[inline]
-fn nearest_image(
-    space: &PeriodicBox,
-    a: &Vector3<f64>,
-    b: &Vector3<f64>,
-) -> (Vector3<f64>, Vector3<f64>) {
-    (space.displacement(a, b), Vector3::zeros())
 }
 
 /// Motion of the second body against the first at their contact; `border` is the velocity of the second's

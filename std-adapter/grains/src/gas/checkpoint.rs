@@ -43,7 +43,7 @@ impl Checkpoint {
 
     /// Reads a checkpoint of the same scene.
     pub fn read(text: &str, scene: &GasScene) -> Result<Self, CheckpointError> {
-        let value = opened(text, (NAME, VERSION), GasScene::KEYS, &scene.json())?;
+        let value = opened::<GasScene>(text, (NAME, VERSION), &scene.json())?;
         let series: Vec<Row> = groups(&value, "series")?;
         if series.is_empty() {
             return Err(damaged("series"));

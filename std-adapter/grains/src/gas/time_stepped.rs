@@ -238,7 +238,7 @@ impl TimeSteppedState {
     /// Reads the state of so many spheres from a checkpoint.
     pub fn read(value: &Value, count: usize) -> Result<Self, CheckpointError> {
         let frozen = WorldSnapshot::read(value)?;
-        if !frozen.fits(count, 0) {
+        if !frozen.fits(count, 0, false) {
             return Err(damaged("numbers of spheres"));
         }
         let whole = |name: &str| value[name].as_u64().ok_or_else(|| damaged(name));

@@ -4,8 +4,9 @@ use super::from_scene::volume;
 use super::initial_grains::start;
 use super::layout::Layout;
 use super::loads::Loads;
-use super::measure::{COLUMNS, PackingState};
-use super::outcome::GrainsSummary;
+use super::measure::{COLUMNS, GrainsLine, PackingState};
+use super::mesh;
+use super::outcome::{GrainsSummary, HopperFlow, averages};
 use super::wall::InitialWall;
 use crate::grains::scene::{Container, EndBoundary, GrainsScene};
 use crate::packing::PackingRunError;
@@ -14,13 +15,15 @@ use crate::packing::{
     OptionalFeatures, Packing, PackingBody, PackingEnergy, PackingRun, PackingStopReason,
     RunLimits,
 };
+use nalgebra::Vector3;
 use serde_json::{Map, Value};
 use std::ops::ControlFlow;
 use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::CheckpointError;
 use tribos_base::record::checkpoint::damaged;
 use tribos_base::record::frames::Kind;
-use tribos_contacts::cd::Wall;
+use tribos_contacts::cd::{MovingMesh, Wall};
+use tribos_contacts::soft::{AxisControl, CellControl};
 
 /// Slow steps after which the grains count as at rest.
 const SLOW_STEPS: u64 = 100;
@@ -36,6 +39,7 @@ pub struct GrainsBody {
     scene: GrainsScene,
     layout: Layout,
     loads: Loads,
+    mesh: Option<MovingMesh>,
 }
 
 /// Number of steps for which the grains have been slow.
@@ -43,6 +47,17 @@ pub struct GrainsBody {
 pub struct SlowStepCount(u64);
 
 impl GrainsBody {
+    /// Mass of a piston, and of an axis of the box under a stress.
+    fn piston_mass(&self, start: &InitialSpheres) -> f64 {
+        self.scene.piston_mass.unwrap_or_else(|| {
+            let is_bound = |grain: usize| self.loads.bound().iter().any(|held| held.grain == grain);
+            let grains = start.radii.iter().zip(&start.kinds.densities).enumerate();
+            let free = grains.filter(|(grain, _)| !is_bound(*grain));
+            free.map(|(_, (radius, density))| density * volume(*radius))
+                .sum()
+        })
+    }
+
     /// The state after a step, for measurements.
     fn now<'a>(&'a self, seen: &'a MeasuredState) -> PackingState<'a> {
         PackingState {
@@ -52,6 +67,7 @@ impl GrainsBody {
             packing: &*seen.packing,
             contacts: &seen.contacts,
             report: &seen.report,
+            mesh: self.mesh.as_ref(),
         }
     }
 }
@@ -61,6 +77,7 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
     type Monitor = SlowStepCount;
 
     const COLUMNS: [&'static str; COLUMNS.len()] = COLUMNS;
+    const FORMER_COLUMNS: usize = 35;
     const FORMAT: (&'static str, u64) = ("tribos_grains", 3);
     const KIND: Kind = Kind::Grains;
     const CADENCE: MeasurementSchedule = MeasurementSchedule::Lines;
@@ -70,12 +87,14 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
         scene: &GrainsScene,
         watch: &mut dyn FnMut(usize) -> ControlFlow<()>,
     ) -> Result<(Self, InitialSpheres), PackingRunError> {
-        let start = start(scene, watch)?;
+        let mesh = mesh::of(scene)?;
+        let start = start((scene, mesh.as_ref()), watch)?;
         let layout = Layout::of(scene, &start)?;
         let body = Self {
             scene: scene.clone(),
-            loads: Loads::of(scene, &layout),
+            loads: Loads::of(scene, &layout, &start),
             layout,
+            mesh,
         };
         Ok((body, start))
     }
@@ -100,13 +119,13 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
         self.layout.parts.len()
     }
 
-    fn bodies(&self, start: &InitialSpheres, features: &OptionalFeatures) -> Bodies {
-        let mass = self.scene.piston_mass.unwrap_or_else(|| {
-            let grains = start.radii.iter().zip(&features.densities);
-            grains
-                .map(|(radius, density)| density * volume(*radius))
-                .sum()
-        });
+    fn corners(&self) -> Vec<Vector3<f64>> {
+        let corners = self.mesh.iter().flat_map(|mesh| mesh.mesh.corners());
+        corners.flatten().copied().collect()
+    }
+
+    fn bodies(&self, start: &InitialSpheres, _: &OptionalFeatures) -> Bodies {
+        let mass = self.piston_mass(start);
         let wall = |(wall, part): (usize, &InitialWall)| {
             let mass = if self.loads.is_piston(wall) {
                 mass
@@ -128,9 +147,18 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
     }
 
     fn features(&self, start: &InitialSpheres) -> OptionalFeatures {
+        let axes = self.loads.axes(0.0);
+        let is_driven = axes != [AxisControl::Fixed; 3] || self.scene.shear_rate.is_some();
         OptionalFeatures {
+            cell: is_driven.then(|| CellControl {
+                axes,
+                shear_rate: self.scene.shear_rate.unwrap_or(0.0),
+                mass: self.piston_mass(start),
+            }),
             shear_rate: self.scene.shear_rate.unwrap_or(0.0),
             velocities: self.scene.agitation(start.radii.len()),
+            bound: self.loads.bound().iter().map(|held| held.grain).collect(),
+            mesh: self.mesh.clone(),
             ..OptionalFeatures::default()
         }
     }
@@ -163,7 +191,7 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
     /// Its walls, and the highest grain below an open top. All centres are inside.
     fn extents(&self, seen: &MeasuredState) -> [[f64; 2]; 3] {
         let (scene, layout, packing) = (&self.scene, &self.layout, &seen.packing);
-        let mut corners = layout.extents(packing.walls());
+        let mut corners = layout.extents(&**packing);
         if scene.is_flat() {
             let most = packing.radii().iter().copied().fold(0.0, f64::max);
             corners[1] = [-most, most];
@@ -171,7 +199,7 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
         // Grains that press a wall reach beyond it by their overlap, and the box ends at the wall.
         let is_open = scene.boundary_z == EndBoundary::Floor && scene.container != Container::Drum;
         for (x, radius) in packing.positions().iter().zip(packing.radii()) {
-            let x = layout.space.wrap(x);
+            let x = packing.space().wrap(x);
             for (axis, [low, high]) in corners.iter_mut().enumerate() {
                 if layout.space.lengths()[axis].is_none() {
                     let above = if is_open && axis == 2 { *radius } else { 0.0 };
@@ -206,14 +234,13 @@ impl GrainsSimulation {
     /// Summary of the run so far.
     pub fn outcome(&self) -> GrainsSummary {
         let now = self.body.now(&self.seen);
-        let spheres = now.packing.spheres().iter();
         let totals = self.totals();
         let has_surface = now.scene.boundary_z == EndBoundary::Floor;
         let energy = now.packing.energy();
         GrainsSummary {
             ending: self.ending(),
-            grains: now.packing.radii().len(),
-            mass: spheres.map(|grain| 1.0 / grain.inv_mass).sum(),
+            grains: now.free().count(),
+            mass: now.free().map(|(_, _, grain)| 1.0 / grain.inv_mass).sum(),
             time: self.time(),
             steps: self.steps(),
             iterations_total: totals.iterations,
@@ -222,12 +249,23 @@ impl GrainsSimulation {
             contacts: self.pairs(),
             end: now.line(),
             surface_angles: has_surface.then(|| now.surface_angles()),
+            surface_angle_error: has_surface.then(|| now.surface_angle_error()),
+            flow: (now.scene.container == Container::Hopper).then(|| self.flow()),
+            averages: averages(self.series(), now.scene.average_from),
             max_overlap: self.max_overlap(),
             statistics: self.statistics(),
             dissipation: Dissipation::of(energy),
             energy: PackingEnergy::of(energy, &now.scene.contact_method()),
             wall_seconds: totals.wall_seconds,
         }
+    }
+
+    /// Flow through the slot of a hopper.
+    fn flow(&self) -> HopperFlow {
+        let lines = self.series().iter().map(|row| GrainsLine::from(*row));
+        let (times, below): (Vec<f64>, Vec<f64>) =
+            lines.map(|line| (line.time, line.discharged)).unzip();
+        HopperFlow::of(&times, &below)
     }
 }
 

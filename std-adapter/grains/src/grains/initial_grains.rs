@@ -1,5 +1,6 @@
 //! Where the grains of a run come from: random places, a file, or the last state of another run.
 
+use super::bound;
 use super::layout::Layout;
 use super::placement;
 use super::wall::{InitialWall, WallId};
@@ -11,7 +12,8 @@ use crate::packing::{InitialSpheres, Kinds, WorldSnapshot, deepest, given};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use std::path::Path;
-use tribos_contacts::cd::Wall;
+use tribos_base::record::{ContactRow, Partner};
+use tribos_contacts::cd::{MovingMesh, Wall};
 
 /// Largest distance of grains from the plane of a flat box that counts as the rounding of a file, in radii of the
 /// largest: twice that of frames, which count in 65535ths of two such radii.
@@ -19,12 +21,16 @@ const OFF_PLANE: f64 = 2.0 / 65_535.0;
 
 /// Grains at their random places, or those that the scene names.
 pub(super) fn start(
-    scene: &GrainsScene,
+    (scene, mesh): (&GrainsScene, Option<&MovingMesh>),
     watch: impl FnMut(usize) -> ControlFlow<()>,
 ) -> Result<InitialSpheres, PackingRunError> {
     match &scene.initial_state {
         Some(path) => read(scene, path),
-        None => Ok(placement::start(scene, watch)?),
+        None => {
+            let mut start = placement::start((scene, mesh), watch)?;
+            bound::add(scene, &mut start);
+            Ok(start)
+        }
     }
 }
 
@@ -39,6 +45,7 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<InitialSpheres, PackingRunEr
         (path, scene.columns.as_ref()),
         [x, y, z],
         (scene.radius, scene.method),
+        |kind| scene.holder(kind).is_some(),
     )?;
     if scene.method == ContactMethod::Soft && assembly.space.offset() != 0.0 {
         return Err(AssemblyError::Content {
@@ -61,6 +68,13 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<InitialSpheres, PackingRunEr
         contacts: Vec::new(),
         frozen: None,
     };
+    if scene.shear_rate.is_some() && !scene.bound(&start).is_empty() {
+        return Err(AssemblyError::Content {
+            file: path.display().to_string(),
+            reason: "a sheared box has no fixed or driven grains; leave out `shear_rate`".into(),
+        }
+        .into());
+    }
     let layout = Layout::of(scene, &start)?;
     let inward: Vec<Vector3<f64>> = layout.parts.iter().map(|part| part.inward).collect();
     if let Some(frozen) = frozen.filter(|_| assembly.outward == inward) {
@@ -70,7 +84,19 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<InitialSpheres, PackingRunEr
             part.face == WallId::Lid
         })?;
         start.contacts = assembly.contacts;
-        start.frozen = Some(frozen.at_start(scene.method == ContactMethod::Soft));
+        let mut frozen = frozen.at_start(scene.method == ContactMethod::Soft);
+        // Forces at another mesh are of no use.
+        if assembly.scene["mesh"] != scene.json()["mesh"] {
+            let walls = inward.len();
+            let at_wall = |([_, wall], _): &([u32; 2], _)| (*wall as usize) < walls;
+            for [_, forces] in [&mut frozen.forces, &mut frozen.impacts] {
+                forces.retain(at_wall);
+            }
+            let of_box =
+                |row: &ContactRow| !matches!(row.b, Partner::Wall(wall) if wall as usize >= walls);
+            start.contacts.retain(of_box);
+        }
+        start.frozen = Some(frozen);
         return Ok(start);
     }
 
@@ -126,7 +152,9 @@ fn check_inside(
     // Soft grains may reach as far into a wall as into each other.
     let beyond = deepest(scene.method);
     let off_plane = OFF_PLANE * start.radii.iter().copied().fold(0.0, f64::max);
-    for (grain, (place, radius)) in start.positions.iter().zip(&start.radii).enumerate() {
+    let free = |(grain, _): &(usize, _)| scene.holder(start.kinds.materials[*grain]).is_none();
+    let grains = start.positions.iter().zip(&start.radii).enumerate();
+    for (grain, (place, radius)) in grains.filter(free) {
         for (axis, end) in ends.into_iter().enumerate() {
             let Some((length, name, key)) = end else {
                 continue;
@@ -161,7 +189,9 @@ fn check_walls(
     let is_shut = |part: &&InitialWall| part.face != WallId::Lid || scene.open_time > 0.0;
     let meant = layout.parts.iter().filter(|part| is_meant(part));
     let walls: Vec<Wall> = meant.filter(is_shut).map(InitialWall::wall).collect();
-    for (grain, (place, radius)) in start.positions.iter().zip(&start.radii).enumerate() {
+    let free = |(grain, _): &(usize, _)| scene.holder(start.kinds.materials[*grain]).is_none();
+    let grains = start.positions.iter().zip(&start.radii).enumerate();
+    for (grain, (place, radius)) in grains.filter(free) {
         let meets =
             |wall: &Wall| wall.facing(&layout.space, place).height < (1.0 - beyond) * radius;
         if walls.iter().any(meets) {

@@ -3,7 +3,7 @@
 use super::container;
 use super::wall::{AxisEnd, InitialWall, WallId, inward};
 use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene, SideBoundary};
-use crate::packing::InitialSpheres;
+use crate::packing::{InitialSpheres, Packing};
 use tribos_base::space::{PeriodicBox, SpaceError};
 use tribos_contacts::cd::Wall;
 
@@ -17,14 +17,29 @@ pub(super) struct Layout {
     pub lengths: [f64; 3],
 }
 
+/// Height of the box: that of the scene, or as high as the free grains with those glued to the plate.
+pub(super) fn height(scene: &GrainsScene, start: &InitialSpheres) -> f64 {
+    let grains = start
+        .positions
+        .iter()
+        .zip(&start.radii)
+        .zip(&start.kinds.materials);
+    let free = grains.filter(|(_, kind)| scene.holder(**kind).is_none());
+    let top = free
+        .map(|((x, radius), _)| x.z + radius)
+        .fold(0.0, f64::max);
+    scene.height.unwrap_or_else(|| match scene.rough_lid {
+        Some(radius) => top + radius,
+        None => top,
+    })
+}
+
 impl Layout {
     /// The box of a scene around its grains.
     pub fn of(scene: &GrainsScene, start: &InitialSpheres) -> Result<Self, SpaceError> {
-        let grains = start.positions.iter().zip(&start.radii);
-        let top = grains.map(|(x, radius)| x.z + radius).fold(0.0, f64::max);
         let height = match scene.container {
             Container::Drum => scene.width,
-            _ => scene.height.unwrap_or(top),
+            _ => height(scene, start),
         };
         let lengths = [scene.width, scene.box_depth(), height];
         let is_drum = scene.container == Container::Drum;
@@ -81,14 +96,13 @@ impl Layout {
     }
 
     /// Low and high coordinates of the box; an open end is that of the start.
-    pub fn extents(&self, walls: &[Wall]) -> [[f64; 2]; 3] {
+    pub fn extents(&self, packing: &dyn Packing) -> [[f64; 2]; 3] {
+        let (walls, periods) = (packing.walls(), packing.space().lengths());
         [Axis::X, Axis::Y, Axis::Z].map(|axis| {
+            let length = periods[axis.index()].unwrap_or(self.lengths[axis.index()]);
             let low = self.coordinate(walls, axis, AxisEnd::Low);
             let high = self.coordinate(walls, axis, AxisEnd::High);
-            [
-                low.unwrap_or(0.0),
-                high.unwrap_or(self.lengths[axis.index()]),
-            ]
+            [low.unwrap_or(0.0), high.unwrap_or(length)]
         })
     }
 

@@ -1,13 +1,15 @@
 //! What drives the grains: gravity, pistons, moving plates, shaking, each at its time.
 
+use super::bound::{BoundGrain, Holder};
 use super::layout::Layout;
 use super::ramp::Ramp;
 use super::wall::{AxisEnd, InitialWall, PLATE, WallId};
 use crate::grains::scene::{Axis, GrainsScene};
-use crate::packing::Packing;
+use crate::packing::{InitialSpheres, Packing};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 use tribos_contacts::cd::Rectangle;
+use tribos_contacts::soft::AxisControl;
 
 /// How a wall is driven along its normal.
 #[derive(Clone, Debug)]
@@ -40,6 +42,21 @@ pub(super) struct Loads {
     opening: f64,
     shake: Shake,
     repeat: Option<f64>,
+    /// Velocity of driven grains, and all grains that no force moves.
+    drive: [Ramp; 3],
+    bound: Vec<BoundGrain>,
+    /// Velocity of the plate above along z, if it has one.
+    lid: Option<Ramp>,
+    /// What the lengths of periodic axes follow.
+    axes: [AxisLoad; 3],
+}
+
+/// What the length of a periodic axis follows.
+#[derive(Clone, Debug)]
+enum AxisLoad {
+    Fixed,
+    Stress(Ramp),
+    Speed(Ramp),
 }
 
 /// A harmonic motion of the box.
@@ -53,7 +70,7 @@ struct Shake {
 
 impl Loads {
     /// The loads of a scene on the walls of its box.
-    pub fn of(scene: &GrainsScene, layout: &Layout) -> Self {
+    pub fn of(scene: &GrainsScene, layout: &Layout, start: &InitialSpheres) -> Self {
         let control = |face: WallId| match face {
             WallId::Side(_, AxisEnd::Low) => WallControl::Box,
             WallId::Side(axis, AxisEnd::High) => match (scene.pressure(axis), scene.velocity(axis))
@@ -81,7 +98,57 @@ impl Loads {
                 axis: scene.shake_axis,
             },
             repeat: scene.ramp_period,
+            axes: [Axis::X, Axis::Y, Axis::Z].map(|axis| {
+                if layout.space.lengths()[axis.index()].is_none() {
+                    return AxisLoad::Fixed;
+                }
+                match (scene.pressure(axis), scene.velocity(axis)) {
+                    (Some(stress), _) => AxisLoad::Stress(stress.clone()),
+                    (None, Some(speed)) => AxisLoad::Speed(speed.clone()),
+                    (None, None) => AxisLoad::Fixed,
+                }
+            }),
+            drive: [
+                scene.driven_velocity_x.clone(),
+                scene.driven_velocity_y.clone(),
+                scene.driven_velocity_z.clone(),
+            ],
+            bound: scene.bound(start),
+            lid: scene.wall_velocity_z.clone(),
         }
+    }
+
+    /// The grains that no force moves.
+    pub fn bound(&self) -> &[BoundGrain] {
+        &self.bound
+    }
+
+    /// Displacement and velocity at a time of the grains that something holds.
+    pub fn motion(&self, holder: Holder, time: f64) -> [Vector3<f64>; 2] {
+        let along = |ramp: &Ramp, axis: Vector3<f64>| {
+            let [speed, way] = self.follow(ramp, time);
+            [axis * way, axis * speed]
+        };
+        let (shift, swing) = self.shake.at(time);
+        let parts = match holder {
+            Holder::Box => return [shift, swing],
+            Holder::Drive => {
+                let [x, y, z] = &self.drive;
+                vec![
+                    along(x, Vector3::x()),
+                    along(y, Vector3::y()),
+                    along(z, Vector3::z()),
+                ]
+            }
+            Holder::Lid => {
+                let rise = self.lid.as_ref().map(|speed| along(speed, Vector3::z()));
+                vec![
+                    rise.unwrap_or([shift, swing]),
+                    along(&self.plate_speed, Vector3::x()),
+                ]
+            }
+        };
+        [0, 1].map(|of: usize| parts.iter().map(|part| part[of]).sum())
     }
 
     /// Whether a wall is a piston.
@@ -103,6 +170,15 @@ impl Loads {
         }
     }
 
+    /// What the lengths of periodic axes follow at a time.
+    pub fn axes(&self, time: f64) -> [AxisControl; 3] {
+        self.axes.each_ref().map(|load| match load {
+            AxisLoad::Fixed => AxisControl::Fixed,
+            AxisLoad::Stress(stress) => AxisControl::Stress(self.follow(stress, time)[0]),
+            AxisLoad::Speed(speed) => AxisControl::Speed(self.follow(speed, time)[0]),
+        })
+    }
+
     /// Acceleration of the grains at a time.
     pub fn gravity(&self, time: f64) -> Vector3<f64> {
         let [strength, _] = self.follow(&self.gravity, time);
@@ -120,8 +196,15 @@ impl Loads {
     /// put where their motion has taken them by then.
     pub fn apply(&self, layout: &Layout, packing: &mut dyn Packing) {
         let (time, _) = packing.clock();
-        let extents = layout.extents(packing.walls());
+        let extents = layout.extents(packing);
         packing.set_gravity(self.gravity(time));
+        packing.set_axes(self.axes(time));
+        for holder in [Holder::Box, Holder::Drive, Holder::Lid] {
+            let [shift, velocity] = self.motion(holder, time);
+            for held in self.bound.iter().filter(|held| held.holder == holder) {
+                packing.place(held.grain, held.start + shift, velocity);
+            }
+        }
         let (shift, swing) = self.shake.at(time);
         let walls = packing.walls_mut().iter_mut();
         for (wall, (face, control, start)) in walls.zip(&self.walls) {

@@ -1,5 +1,6 @@
 //! What is measured of the grains after a step.
 
+use super::bound::Holder;
 use super::from_scene::volume;
 use super::layout::Layout;
 use super::loads::Loads;
@@ -8,9 +9,10 @@ use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene};
 use crate::packing::{Packing, Stress, branch, is_at};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
-use tribos_base::record::ContactRow;
+use tribos_base::record::{ContactRow, Partner};
 use tribos_base::results::{Reporting::*, summary};
-use tribos_contacts::cd::StepReport;
+use tribos_contacts::cd::{MovingMesh, StepReport};
+use tribos_core::contact::SphereBody;
 
 summary! {
     /// A line of the series, in the units of the scene.
@@ -31,15 +33,15 @@ summary! {
     solid_fraction: f64, "-", Shown("solid fraction");
     /// Kinetic energy of the grains.
     kinetic: f64, "J", InSeries;
-    /// Root mean square speed of the grains.
+    /// Root mean square speed of the grains that move freely.
     speed: f64, "m/s";
     /// Number of contacts, those with walls included.
     contacts: f64, "-", InSeries;
-    /// Mean number of contacts of a grain, walls included.
+    /// Mean number of contacts of a grain that moves freely, walls included.
     coordination: f64, "-";
-    /// Force of the grains on the floor, downwards.
+    /// Force of the grains on the floor and on fixed grains, downwards.
     floor_force: f64, "N", Shown("floor force");
-    /// Force of the grains on the plate above, upwards.
+    /// Force of the grains on the plate above and on what is glued to it, upwards.
     plate_force: f64, "N";
     /// Force of the grains on the wall at the far end of x, outwards.
     side_force_x: f64, "N";
@@ -87,6 +89,34 @@ summary! {
     dissipated_cohesion: f64, "J", InSeries;
     /// Shear stress of the contacts over the rate of a sheared box; 0 without a rate.
     viscosity: f64, "Pa s", InSeries;
+    /// Shear stress over normal stress, that of the plate or along z: mu of mu(I); 0 without a shear or a normal stress.
+    stress_ratio: f64, "-", Shown("stress ratio");
+    /// Inertial number I = |shear rate| d sqrt(density/normal stress), with the mean diameter; 0 without a normal stress.
+    inertial_number: f64, "-", Swept;
+    /// Force of the others on the driven grains along x.
+    driven_force_x: f64, "N";
+    /// Force of the others on the driven grains along y.
+    driven_force_y: f64, "N";
+    /// Force of the others on the driven grains along z.
+    driven_force_z: f64, "N";
+    /// Torque of the others on the driven grains along x, about the mean of their centres.
+    driven_torque_x: f64, "N m";
+    /// Torque on the driven grains along y.
+    driven_torque_y: f64, "N m";
+    /// Torque on the driven grains along z.
+    driven_torque_z: f64, "N m";
+    /// Force of the grains on the mesh along x.
+    mesh_force_x: f64, "N";
+    /// Force of the grains on the mesh along y.
+    mesh_force_y: f64, "N";
+    /// Force of the grains on the mesh along z.
+    mesh_force_z: f64, "N";
+    /// Torque of the grains on the mesh along x, about `mesh_centre`.
+    mesh_torque_x: f64, "N m";
+    /// Torque of the grains on the mesh along y.
+    mesh_torque_y: f64, "N m";
+    /// Torque of the grains on the mesh along z.
+    mesh_torque_z: f64, "N m";
 }
 
 /// Columns of the series, in the units of the scene.
@@ -101,17 +131,18 @@ pub(super) struct PackingState<'a> {
     pub packing: &'a dyn Packing,
     pub contacts: &'a [ContactRow],
     pub report: &'a StepReport,
+    pub mesh: Option<&'a MovingMesh>,
 }
 
 impl PackingState<'_> {
     /// Low and high coordinates of the volume that the grains fill. Below an open top it ends at twice the
     /// mean height of the centres, weighted with mass: the surface of a level bed.
     pub fn extents(&self) -> [[f64; 2]; 3] {
-        let mut extents = self.layout.extents(self.packing.walls());
+        let mut extents = self.layout.extents(self.packing);
         if self.scene.boundary_z == EndBoundary::Floor && self.scene.container != Container::Drum {
             let low = extents[2][0];
             let (mut sum, mut mass) = (0.0, 0.0);
-            for (x, radius) in self.packing.positions().iter().zip(self.packing.radii()) {
+            for (x, radius, _) in self.free() {
                 let cube = radius * radius * radius;
                 sum += cube * (x.z - low);
                 mass += cube;
@@ -121,14 +152,81 @@ impl PackingState<'_> {
         extents
     }
 
+    /// Places, radii and bodies of the grains that forces move.
+    pub fn free(&self) -> impl Iterator<Item = (&Vector3<f64>, f64, &SphereBody<f64>)> {
+        let grains = self.packing.positions().iter().zip(self.packing.radii());
+        let grains = grains.zip(self.packing.spheres());
+        let free = grains.filter(|(_, sphere)| sphere.inv_mass > 0.0);
+        free.map(|((x, radius), sphere)| (x, *radius, sphere))
+    }
+
+    /// Force of the others on grains that something holds, and the torque about the mean of their centres.
+    pub fn load_on(&self, holder: Holder) -> [Vector3<f64>; 2] {
+        let held: Vec<u32> = {
+            let held = self
+                .loads
+                .bound()
+                .iter()
+                .filter(|held| held.holder == holder);
+            held.map(|held| held.grain as u32).collect()
+        };
+        let (positions, radii) = (self.packing.positions(), self.packing.radii());
+        let places = held.iter().map(|grain| positions[*grain as usize]);
+        let centre = places.sum::<Vector3<f64>>() / held.len().max(1) as f64;
+        let mut load = [Vector3::zeros(); 2];
+        // Of a row the second body feels the force, and the first its opposite.
+        let mut add = |grain: u32, row: &ContactRow, side: f64| {
+            if held.binary_search(&grain).is_ok() {
+                let at = positions[grain as usize] - row.normal * (side * radii[grain as usize]);
+                let force = row.force * side;
+                load[0] += force;
+                load[1] += (at - centre).cross(&force) + row.torque * side;
+            }
+        };
+        for row in self.contacts.iter().filter(|_| !held.is_empty()) {
+            add(row.a, row, -1.0);
+            if let Some(b) = row.b.particle() {
+                add(b, row, 1.0);
+            }
+        }
+        load
+    }
+
+    /// Force of the grains on the mesh, and the torque about its centre.
+    fn load_on_mesh(&self) -> [Vector3<f64>; 2] {
+        let mut load = [Vector3::zeros(); 2];
+        let Some(mesh) = self.mesh else {
+            return load;
+        };
+        let (centre, walls) = (
+            mesh.at(self.packing.clock().0).centre(),
+            self.layout.parts.len(),
+        );
+        for row in self.contacts {
+            if !matches!(row.b, Partner::Wall(wall) if wall as usize >= walls) {
+                continue;
+            }
+            let a = row.a as usize;
+            let at = self.packing.positions()[a] + row.normal * (self.packing.radii()[a] + row.gap);
+            load[0] += row.force;
+            load[1] += self
+                .layout
+                .space
+                .displacement(&centre, &at)
+                .cross(&row.force)
+                + row.torque;
+        }
+        load
+    }
+
     /// Share of the volume, or of the area in two dimensions, that is solid.
     pub fn solid_fraction(&self, [width, depth, height]: [f64; 3]) -> f64 {
-        let radii = self.packing.radii().iter();
+        let radii = self.free().map(|(_, radius, _)| radius);
         if self.scene.is_flat() {
             let area: f64 = radii.map(|radius| PI * radius * radius).sum();
             area / (width * height)
         } else {
-            let solid: f64 = radii.map(|radius| volume(*radius)).sum();
+            let solid: f64 = radii.map(volume).sum();
             solid / (width * depth * height)
         }
     }
@@ -155,16 +253,21 @@ impl PackingState<'_> {
 
     /// Root mean square speed of the grains.
     pub fn speed(&self) -> f64 {
-        let spheres = self.packing.spheres();
-        let squares = spheres.iter().map(|sphere| sphere.velocity.norm_squared());
-        (squares.sum::<f64>() / spheres.len().max(1) as f64).sqrt()
+        let squares = self
+            .free()
+            .map(|(_, _, sphere)| sphere.velocity.norm_squared());
+        (squares.sum::<f64>() / self.free().count().max(1) as f64).sqrt()
     }
 
     /// Mean number of contacts of a grain, walls included.
     fn coordination(&self) -> f64 {
-        let ends = |row: &ContactRow| 1 + usize::from(row.b.particle().is_some());
+        let spheres = self.packing.spheres();
+        let is_free = |grain: u32| spheres[grain as usize].inv_mass > 0.0;
+        let ends = |row: &ContactRow| {
+            usize::from(is_free(row.a)) + usize::from(row.b.particle().is_some_and(is_free))
+        };
         let ends: usize = self.contacts.iter().map(ends).sum();
-        ends as f64 / self.packing.radii().len().max(1) as f64
+        ends as f64 / self.free().count().max(1) as f64
     }
 
     /// The current line of the series.
@@ -176,8 +279,23 @@ impl PackingState<'_> {
         let energy = self.packing.energy();
         let gravity = self.loads.gravity(time);
         let plate_area = Layout::area(&extents, Axis::Z);
-        let plate = self.force(PLATE);
+        let [glued, _] = self.load_on(Holder::Lid);
+        let glued_pull = if self.loads.bound().is_empty() {
+            0.0
+        } else {
+            -glued.z
+        };
+        let plate = self.force(PLATE) + glued;
+        let [fixed, _] = self.load_on(Holder::Box);
+        let [driven, driven_torque] = self.load_on(Holder::Drive);
+        let [mesh, mesh_torque] = self.load_on_mesh();
         let plate_speed = self.loads.plate_speed(time);
+        let shear_rate = self.scene.shear_rate.unwrap_or(plate_speed / height);
+        let shear_stress = self.shear_stress(-plate.x / plate_area, stress.m13);
+        let normal_stress = match self.scene.shear_rate {
+            Some(_) => stress.m33,
+            None => plate.z / plate_area,
+        };
         GrainsLine {
             time,
             step: step as f64,
@@ -189,8 +307,8 @@ impl PackingState<'_> {
             speed: self.speed(),
             contacts: self.contacts.len() as f64,
             coordination: self.coordination(),
-            floor_force: self.push(Axis::Z, AxisEnd::Low),
-            plate_force: self.push(Axis::Z, AxisEnd::High),
+            floor_force: self.push(Axis::Z, AxisEnd::Low) - fixed.z,
+            plate_force: self.push(Axis::Z, AxisEnd::High) - glued_pull,
             side_force_x: self.push(Axis::X, AxisEnd::High),
             side_force_y: self.push(Axis::Y, AxisEnd::High),
             stress_xx: stress.m11,
@@ -198,9 +316,9 @@ impl PackingState<'_> {
             stress_zz: stress.m33,
             stress_xz: stress.m13,
             plate_stress: plate.z / plate_area,
-            shear_stress: self.shear_stress(-plate.x / plate_area, stress.m13),
+            shear_stress,
             plate_speed,
-            shear_rate: self.scene.shear_rate.unwrap_or(plate_speed / height),
+            shear_rate,
             gravity_x: gravity.x,
             gravity_z: gravity.z,
             surface_angle: self.surface_angle(),
@@ -214,7 +332,44 @@ impl PackingState<'_> {
             dissipated_torsion: energy.torsion,
             dissipated_cohesion: energy.cohesion,
             viscosity: self.viscosity(stress.m13),
+            stress_ratio: finite(shear_stress / normal_stress)
+                .filter(|_| shear_rate != 0.0)
+                .unwrap_or(0.0),
+            inertial_number: finite(
+                shear_rate.abs() * self.diameter() * (self.density() / normal_stress).sqrt(),
+            )
+            .unwrap_or(0.0),
+            driven_force_x: driven.x,
+            driven_force_y: driven.y,
+            driven_force_z: driven.z,
+            driven_torque_x: driven_torque.x,
+            driven_torque_y: driven_torque.y,
+            driven_torque_z: driven_torque.z,
+            mesh_force_x: mesh.x,
+            mesh_force_y: mesh.y,
+            mesh_force_z: mesh.z,
+            mesh_torque_x: mesh_torque.x,
+            mesh_torque_y: mesh_torque.y,
+            mesh_torque_z: mesh_torque.z,
         }
+    }
+
+    /// Mean diameter of the grains.
+    fn diameter(&self) -> f64 {
+        let radii = self.packing.radii();
+        2.0 * radii.iter().sum::<f64>() / radii.len().max(1) as f64
+    }
+
+    /// Density of the grains: their mass over their volume.
+    fn density(&self) -> f64 {
+        let volumes = self.packing.radii().iter().map(|radius| volume(*radius));
+        self.mass() / volumes.sum::<f64>()
+    }
+
+    /// Mass of all grains.
+    pub fn mass(&self) -> f64 {
+        let spheres = self.packing.spheres().iter();
+        spheres.map(|grain| 1.0 / grain.inv_mass).sum()
     }
 
     /// Shear stress on the plate; of the contacts in a sheared box without walls.
@@ -239,18 +394,21 @@ impl PackingState<'_> {
         if self.scene.container != Container::Hopper {
             return 0.0;
         }
-        let positions = self.packing.positions().iter();
-        let grains = positions.zip(self.packing.spheres());
-        grains
-            .filter(|(x, _)| x.z < self.scene.orifice_height)
-            .map(|(_, grain)| 1.0 / grain.inv_mass)
+        self.free()
+            .filter(|(x, ..)| x.z < self.scene.orifice_height)
+            .map(|(_, _, grain)| 1.0 / grain.inv_mass)
             .sum()
     }
 
     /// Slope of the free surface along x, in degrees, positive where it falls towards +x: the line of
     /// least squares through the highest grain of each strip of two diameters. 0 without a free surface.
     fn surface_angle(&self) -> f64 {
-        fall(&self.tops())
+        fall(&self.tops())[0]
+    }
+
+    /// Standard error of this angle, from the scatter of the strips about the line.
+    pub fn surface_angle_error(&self) -> f64 {
+        fall(&self.tops())[1]
     }
 
     /// The same of the lower and the upper half of the width: of a heap they have opposite signs.
@@ -258,7 +416,7 @@ impl PackingState<'_> {
         let tops = self.tops();
         let middle = tops.partition_point(|[x, _]| *x < 0.5 * self.scene.width);
         let (low, high) = tops.split_at(middle);
-        [fall(low), fall(high)]
+        [low, high].map(|half| fall(half)[0])
     }
 
     /// The highest grain of each strip along x, above the slot of a hopper.
@@ -274,8 +432,8 @@ impl PackingState<'_> {
         let strips = (self.scene.width / strip).floor().max(1.0);
         let length = self.scene.width / strips;
         let mut tops = vec![None; strips as usize];
-        for (x, radius) in self.packing.positions().iter().zip(self.packing.radii()) {
-            let place = self.layout.space.wrap(x);
+        for (x, radius, _) in self.free() {
+            let place = self.packing.space().wrap(x);
             if place.z < above {
                 continue;
             }
@@ -291,19 +449,50 @@ impl PackingState<'_> {
     }
 }
 
-/// Fall of the line of least squares through points of x and z, in degrees; 0 through less than two.
-fn fall(tops: &[[f64; 2]]) -> f64 {
+/// A number that is finite.
+fn finite(number: f64) -> Option<f64> {
+    Some(number).filter(|number| number.is_finite())
+}
+
+/// Fall of the line of least squares through points of x and z, in degrees, and its standard error; 0 through less than
+/// two, with an error of NaN through less than three.
+fn fall(tops: &[[f64; 2]]) -> [f64; 2] {
     let count = tops.len() as f64;
     let mean = |axis: usize| tops.iter().map(|at| at[axis]).sum::<f64>() / count;
     let [x, z] = [0, 1].map(mean);
-    let (mut square, mut product) = (0.0, 0.0);
-    for at in tops {
-        square += (at[0] - x) * (at[0] - x);
-        product += (at[0] - x) * (at[1] - z);
-    }
+    let sum = |of: &dyn Fn([f64; 2]) -> f64| {
+        let about = tops.iter().map(|at| [at[0] - x, at[1] - z]);
+        about.map(of).sum::<f64>()
+    };
+    let square = sum(&|[x, _]| x * x);
     if square > 0.0 {
-        libm::atan(-product / square).to_degrees()
+        let slope = sum(&|[x, z]| x * z) / square;
+        let left = sum(&|[x, z]| (z - slope * x) * (z - slope * x));
+        let error = if count > 2.0 {
+            (left / (count - 2.0) / square).sqrt()
+        } else {
+            f64::NAN
+        };
+        // The angle is the arc tangent of the slope.
+        let error = error / (1.0 + slope * slope);
+        [libm::atan(-slope), error].map(f64::to_degrees)
     } else {
-        0.0
+        [0.0, f64::NAN]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slope_has_the_error_of_least_squares() {
+        // By hand: slope -0.95, squares of what is left 0.175, of the places 5: the error is √(0.175/2/5).
+        let [angle, error] = fall(&[[0.0, 0.0], [1.0, -1.0], [2.0, -1.5], [3.0, -3.0]]);
+        let slope = libm::tan(angle.to_radians());
+        assert!((slope - 0.95).abs() < 1e-12, "{slope}");
+        let of_slope = error.to_radians() * (1.0 + slope * slope);
+        assert!((of_slope - 0.0175_f64.sqrt()).abs() < 1e-12, "{of_slope}");
+        assert!(fall(&[[0.0, 0.0], [1.0, 0.0]])[1].is_nan());
     }
 }

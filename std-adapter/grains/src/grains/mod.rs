@@ -3,6 +3,9 @@
 //! A [`GrainsScene`](crate::grains::scene::GrainsScene) says the box, the grains, their material and the loads,
 //! which may be [`Ramp`]s in time. [`GrainsSimulation`] runs it.
 
+mod bound;
+#[cfg(test)]
+mod bound_tests;
 mod container;
 mod cost;
 mod from_scene;
@@ -11,17 +14,24 @@ mod initial_grains;
 mod layout;
 mod loads;
 mod measure;
+mod mesh;
 mod outcome;
 mod placement;
 mod ramp;
 pub(crate) mod scene;
+mod texts;
 mod wall;
 
 pub use crate::packing::PackingStopReason as GrainsStopReason;
+#[doc(hidden)]
+pub use container::{PlateOutline, plates};
 #[doc(hidden)]
 pub use cost::{cost, size, stable_step};
 pub use grains_body::GrainsSimulation;
 #[doc(hidden)]
 pub use measure::{COLUMNS, GrainsLine};
 pub use outcome::GrainsSummary;
+#[doc(hidden)]
+pub use outcome::{HopperFlow, averages};
 pub use ramp::Ramp;
+pub use texts::{Coordinates, GrainTypes};

@@ -6,10 +6,14 @@ use crate::packing::{InitialSpheres, Kinds, PlacementError, Radii, SecondMateria
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use tribos_base::random::Random;
+use tribos_base::space::PeriodicBox;
+use tribos_contacts::cd::MovingMesh;
 
 /// Streams of the seed: one for the radii, one for the places.
 const RADII: u64 = 0;
 const PLACES: u64 = 1;
+/// Share of the height that the rounding of the highest place may exceed.
+const FULL: f64 = 1e-9;
 /// Grains between two reports of the placement.
 const BATCH: usize = 1000;
 
@@ -18,7 +22,7 @@ const BATCH: usize = 1000;
 /// The box is divided into equal places of at least `initial_spacing` diameters of the largest grain, which are
 /// filled from below. In its place a grain sits at random where it does not leave it.
 pub(super) fn start(
-    scene: &GrainsScene,
+    (scene, mesh): (&GrainsScene, Option<&MovingMesh>),
     mut watch: impl FnMut(usize) -> ControlFlow<()>,
 ) -> Result<InitialSpheres, PlacementError> {
     let distribution = scene.radii()?;
@@ -37,23 +41,36 @@ pub(super) fn start(
     }
     let mut random = Random::new(scene.seed, PLACES);
     let mut positions = Vec::with_capacity(scene.count);
-    // Places outside a container stay empty.
+    let [floor, lid] = scene.carpets();
+    let rise = Vector3::z() * (floor + scene.initial_height);
+    let highest = scene
+        .height
+        .filter(|_| scene.boundary_z != EndBoundary::Floor);
+    // Places outside a container, in a mesh or an intruder stay empty.
     let mut index = 0;
     while let Some(&radius) = radii.get(positions.len()) {
         if index % BATCH == 0 && watch(positions.len()).is_break() {
             return Err(PlacementError::Stopped);
         }
-        let place = lattice.place(index, radius, &mut random);
-        if has_room(scene, &place, radius) {
+        let place = lattice.place(index, radius, &mut random) + rise;
+        if has_room(scene, &place, radius) && is_clear((scene, mesh), &place, radius) {
             positions.push(place);
         }
         index += 1;
-        if scene.container == Container::Drum && place.z > scene.width + radius {
+        let is_drum = scene.container == Container::Drum;
+        let top = if is_drum {
+            Some(scene.width + 2.0 * radius)
+        } else {
+            highest.map(|high| high - lid)
+        };
+        if top.is_some_and(|top| place.z + radius > top * (1.0 + FULL))
+            && positions.len() < scene.count
+        {
             let (given, room) = (scene.count, positions.len());
             return Err(PlacementError::Full {
                 given,
                 room,
-                is_drum: true,
+                is_drum,
             });
         }
     }
@@ -64,6 +81,32 @@ pub(super) fn start(
         contacts: Vec::new(),
         frozen: None,
     })
+}
+
+/// Whether a grain meets neither the intruder nor the mesh at a place.
+fn is_clear(
+    (scene, mesh): (&GrainsScene, Option<&MovingMesh>),
+    place: &Vector3<f64>,
+    radius: f64,
+) -> bool {
+    if scene.intruder_radius.is_none() && mesh.is_none() {
+        return true;
+    }
+    let along = |is_periodic: bool, length: f64| is_periodic.then_some(length);
+    let space = PeriodicBox::new([
+        along(scene.boundary_x == SideBoundary::Periodic, scene.width),
+        along(
+            scene.boundary_y == SideBoundary::Periodic && !scene.is_flat(),
+            scene.box_depth(),
+        ),
+        None,
+    ]);
+    // A box without room for its periods is refused later.
+    let Ok(space) = space else { return true };
+    let meets =
+        |(at, size): (Vector3<f64>, f64)| space.displacement(&at, place).norm() < size + radius;
+    let at_mesh = |mesh: &MovingMesh| !mesh.at(0.0).meetings(&space, place, radius).is_empty();
+    !scene.intruder().is_some_and(meets) && !mesh.is_some_and(at_mesh)
 }
 
 /// Radii of a distribution, or uniform within their spread.
@@ -127,6 +170,8 @@ impl Lattice {
         if let (Some(height), EndBoundary::Walls | EndBoundary::Periodic) =
             (scene.height, scene.boundary_z)
         {
+            let [floor, lid] = scene.carpets();
+            let height = height - floor - lid - scene.initial_height;
             high = divide("z", height)?;
             rise = rise.max(if scene.boundary_z == EndBoundary::Periodic {
                 height / high

@@ -1,6 +1,7 @@
 //! The scene of grains in a box: loads and walls that follow time.
 
 use super::ramp::{RAMP, RAMP_NOT_NEGATIVE, Ramp};
+use super::texts::{COORDINATES, Coordinates, GrainTypes, TYPES};
 use crate::packing::method::{ContactMethod, FrictionCoupling, NormalForce, WallLaw, soft_rules};
 use crate::packing::{
     COLUMNS, COLUMNS_ALONE, PackingColumns, Radii, SIZES, SettingError, SizeDistribution,
@@ -128,6 +129,8 @@ scene! {
     seed: u64 = 1, "-", Count { from: 1.0, up_to: MOST_SEEDS };
     /// Distance of neighbours at the start, in diameters of the largest grain; the rest is random.
     initial_spacing was spacing: f64 = 1.2, "-", Between { above: 1.0, up_to: 100.0 };
+    /// Height above the floor from which random grains are placed upwards.
+    initial_height: f64 = 0.0, "m", NotNegative, Without("initial_state");
     /// Share of the grains that are of a second material, chosen at random; those of `initial_state` that have materials keep them.
     second_fraction was share_second: f64 = 0.0, "-", Fraction;
     /// Radius of these, in mean radii of the others.
@@ -138,6 +141,38 @@ scene! {
     mu_second was sliding_second: Option<f64> = None, "-", NotNegative;
     /// Sliding coefficient between the two materials; the geometric mean of theirs if it is left out.
     mu_mixed was sliding_mixed: Option<f64> = None, "-", NotNegative;
+    /// Radius of grains glued to the floor in a square lattice, side by side, with their centres in its plane.
+    rough_floor: Option<f64> = None, "m", Positive, Without("initial_state");
+    /// Radius of grains glued to the plate above in the same way, which move with it.
+    rough_lid: Option<f64> = None, "m", Positive, OnlyWith("boundary_z", "walls");
+    /// Types of `initial_state` whose grains stay where they are in the box, whatever pushes them: rough bottoms and
+    /// obstacles. Those that `rough_floor` glues are of type 7.
+    fixed_kinds: GrainTypes = GrainTypes::FLOOR, "-", TYPES;
+    /// Types of `initial_state` whose grains move as one body with the driven velocity, without rotation. The intruder is
+    /// of type 8.
+    driven_kinds: GrainTypes = GrainTypes::DRIVEN, "-", TYPES;
+    /// Radius of an intruder, a sphere that moves with the driven velocity through the grains.
+    intruder_radius: Option<f64> = None, "m", Positive, Without("initial_state");
+    /// Place of its centre at the start.
+    intruder_position: Option<Coordinates> = None, "m", COORDINATES, Without("initial_state");
+    /// Velocity of driven grains along x.
+    driven_velocity_x: Ramp = Ramp::from(0.0), "m/s", RAMP;
+    /// Velocity of driven grains along y.
+    driven_velocity_y: Ramp = Ramp::from(0.0), "m/s", RAMP;
+    /// Velocity of driven grains along z.
+    driven_velocity_z: Ramp = Ramp::from(0.0), "m/s", RAMP;
+    /// Walls of triangles beside those of the box: an STL file, as text or binary, with the coordinates of the box.
+    mesh: Option<PathBuf> = None, "-", Path;
+    /// Factor from the lengths of `mesh` to those of the box, such as 0.001 for millimetres.
+    mesh_scale: f64 = 1.0, "-", Positive;
+    /// Velocity of the mesh.
+    mesh_velocity: Coordinates = Coordinates([0.0; 3]), "m/s", COORDINATES;
+    /// Rate of rotation of the mesh, right-handed about its axis.
+    mesh_angular_velocity: f64 = 0.0, "rad/s", Finite;
+    /// Direction of the axis of this rotation.
+    mesh_axis: Coordinates = Coordinates([0.0, 0.0, 1.0]), "-", COORDINATES;
+    /// A point of the axis at the start, which moves with the mesh; torques on it are about this point.
+    mesh_centre: Coordinates = Coordinates([0.0; 3]), "m", COORDINATES;
     /// Cohesion F_coh: largest pull of a contact.
     cohesion: f64 = 0.0, "N", NotNegative;
     /// Gap up to which cohesion acts.
@@ -162,20 +197,20 @@ scene! {
     gravity: Ramp = Ramp::from(9.81), "m/s^2", RAMP_NOT_NEGATIVE;
     /// Angle by which gravity leans from -z towards x.
     gravity_angle: Ramp = Ramp::from(0.0), "degree", RAMP;
-    /// Stress on the wall at the far end of x, which moves as a piston.
-    wall_stress_x was pressure_x: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("boundary_x", "walls");
-    /// Stress on the wall at the far end of y, which moves as a piston.
-    wall_stress_y was pressure_y: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("boundary_y", "walls");
-    /// Stress on the plate above, which moves as a piston without weight.
-    wall_stress_z was pressure_z: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE, OnlyWith("boundary_z", "walls");
-    /// Mass of every piston; that of all grains together if it is left out.
+    /// Stress on the wall at the far end of x, which moves as a piston; where x is periodic and `method` is soft, on the box.
+    wall_stress_x was pressure_x: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE;
+    /// Stress on the wall at the far end of y, which moves as a piston; where y is periodic and `method` is soft, on the box.
+    wall_stress_y was pressure_y: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE;
+    /// Stress on the plate above, which moves as a piston without weight; where z is periodic and `method` is soft, on the box.
+    wall_stress_z was pressure_z: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE;
+    /// Mass of every piston, and of each axis of a box under a stress; that of all grains together if it is left out.
     piston_mass: Option<f64> = None, "kg", Positive;
-    /// Speed of the wall at the far end of x along x; negative compresses.
-    wall_velocity_x was velocity_x: Option<Ramp> = None, "m/s", RAMP, OnlyWith("boundary_x", "walls");
-    /// Speed of the wall at the far end of y along y; negative compresses.
-    wall_velocity_y was velocity_y: Option<Ramp> = None, "m/s", RAMP, OnlyWith("boundary_y", "walls");
-    /// Speed of the plate above along z; negative compresses.
-    wall_velocity_z was velocity_z: Option<Ramp> = None, "m/s", RAMP, OnlyWith("boundary_z", "walls");
+    /// Speed of the wall at the far end of x along x, or at which the period along x grows (soft grains); negative compresses.
+    wall_velocity_x was velocity_x: Option<Ramp> = None, "m/s", RAMP;
+    /// Speed of the wall at the far end of y along y, or at which the period along y grows (soft grains); negative compresses.
+    wall_velocity_y was velocity_y: Option<Ramp> = None, "m/s", RAMP;
+    /// Speed of the plate above along z, or at which the period along z grows (soft grains); negative compresses.
+    wall_velocity_z was velocity_z: Option<Ramp> = None, "m/s", RAMP;
     /// Speed of the plate above along x, which shears the grains.
     lid_speed_x was plate_speed: Ramp = Ramp::from(0.0), "m/s", RAMP, OnlyWith("boundary_z", "walls");
     /// Rate at which a box without walls along x and z is sheared: speed along x over height along z.
@@ -223,6 +258,8 @@ scene! {
     max_steps was steps: u64 = 10_000_000, "-", Count { from: 1.0, up_to: 1e9 };
     /// Steps from one line of the series to the next.
     sample_every was samples: u64 = 50, "-", Count { from: 1.0, up_to: 1e9 };
+    /// Time from which on means over time are taken; for each column the time after which it has settled if it is left out.
+    average_from: Option<f64> = None, "s", NotNegative;
 }
 
 /// Masses of a mean grain whose inertia and energies are numbers too.
@@ -279,18 +316,24 @@ fn rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
         );
         judge.refuse(&["density", "radius"], message);
     }
+    if scene
+        .average_from
+        .is_some_and(|from| from >= scene.duration)
+    {
+        let message = format!(
+            "`average_from` must be less than the `duration` of the run, {}",
+            scene.duration
+        );
+        judge.refuse(&["average_from", "duration"], message);
+    }
     gravity_rule(scene, judge);
+    bound_rules(scene, judge);
     if scene.method == ContactMethod::Soft {
         soft_rules(
             judge,
             scene.attraction,
             [scene.restitution, scene.second_fraction],
         );
-        if scene.shear_rate.is_some() {
-            let message =
-                "`shear_rate` needs method = \"contact-dynamics\"; springs know no sheared images";
-            judge.refuse(&["shear_rate", "method"], message);
-        }
     }
     if scene.container != Container::Box
         && (scene.boundary_z != EndBoundary::Floor || scene.shake_amplitude > 0.0)
@@ -317,6 +360,20 @@ fn rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
             let message = format!("give `{}` or `{}`, not both", keys[0], keys[1]);
             judge.refuse(keys, message);
         }
+        let given = match (pressure, velocity) {
+            (Some(_), _) => keys[0],
+            (None, Some(_)) => keys[1],
+            (None, None) => continue,
+        };
+        if scene.is_periodic(axis) && scene.has_bound() {
+            let message = format!(
+                "`{given}` deforms the box, which then has no glued or driven grains and no `mesh`"
+            );
+            judge.refuse(&[given], message);
+        }
+        if let Some(reason) = scene.no_control(axis) {
+            judge.refuse(&[given], format!("`{given}` {reason}"));
+        }
     }
 }
 
@@ -325,12 +382,57 @@ fn gravity_rule(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
     let walls = [scene.boundary_x, scene.boundary_y].contains(&SideBoundary::Walls)
         && scene.shear_rate.is_none();
     let [_, most] = scene.gravity.range();
-    if scene.boundary_z == EndBoundary::Periodic && !walls && most > 0.0 {
+    if scene.boundary_z == EndBoundary::Periodic && !walls && scene.mesh.is_none() && most > 0.0 {
         let message = format!(
             "nothing bears the grains against a `gravity` of up to {most} where boundary_z = \"periodic\" without walls, \
              or with `shear_rate`; set gravity = 0"
         );
         judge.refuse(&["gravity", "boundary_z"], message);
+    }
+}
+
+/// Glued grains, the intruder and the mesh must fit the box.
+fn bound_rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
+    let is_open = scene.boundary_z == EndBoundary::Periodic || scene.container == Container::Drum;
+    if scene.rough_floor.is_some() && is_open {
+        let message =
+            "`rough_floor` needs a floor: boundary_z = \"floor\" or \"walls\", and no drum";
+        judge.refuse(&["rough_floor", "boundary_z", "container"], message);
+    }
+    if scene.rough_lid.is_some() && scene.initial_state.is_some() {
+        let message = "`initial_state` has its own glued grains, of type 9; leave out `rough_lid`";
+        judge.refuse(&["rough_lid", "initial_state"], message);
+    }
+    if scene.rough_lid.is_some() && scene.wall_stress_z.is_some() {
+        let message = "grains glued to the plate move with a speed; give `wall_velocity_z` in place of `wall_stress_z`";
+        judge.refuse(&["rough_lid", "wall_stress_z"], message);
+    }
+    let slides = scene.lid_speed_x.constant() != Some(0.0);
+    if scene.rough_lid.is_some() && slides && scene.boundary_x == SideBoundary::Walls {
+        let message =
+            "glued grains would leave through the walls along x; set boundary_x = \"periodic\"";
+        judge.refuse(&["rough_lid", "lid_speed_x", "boundary_x"], message);
+    }
+    if scene.intruder_radius.is_some() != scene.intruder_position.is_some() {
+        let message = "give `intruder_radius` and `intruder_position`, or neither";
+        judge.refuse(&["intruder_radius", "intruder_position"], message);
+    }
+    if scene.shear_rate.is_some() && scene.intruder_radius.is_some() {
+        judge.refuse(
+            &["shear_rate", "intruder_radius"],
+            "a sheared box has no intruder",
+        );
+    }
+    let off = |place: Coordinates| place.0[1] != 0.0;
+    if scene.is_flat() && (scene.mesh.is_some() || scene.intruder_position.is_some_and(off)) {
+        let message = "with dimension = 2 there is no `mesh`, and an intruder lies at y = 0";
+        judge.refuse(&["dimension", "mesh", "intruder_position"], message);
+    }
+    if scene.mesh_axis.0 == [0.0; 3] {
+        judge.refuse(
+            &["mesh_axis"],
+            "`mesh_axis` must have a direction, such as \"0, 0, 1\"",
+        );
     }
 }
 
@@ -383,6 +485,38 @@ impl GrainsScene {
             2.0 * self.radius
         } else {
             self.depth.unwrap_or(self.width)
+        }
+    }
+
+    /// Whether space repeats along an axis.
+    fn is_periodic(&self, axis: Axis) -> bool {
+        match axis {
+            Axis::X => self.boundary_x == SideBoundary::Periodic,
+            Axis::Y => self.boundary_y == SideBoundary::Periodic,
+            Axis::Z => self.boundary_z == EndBoundary::Periodic,
+        }
+    }
+
+    /// Whether the scene adds bodies that no force moves.
+    fn has_bound(&self) -> bool {
+        self.rough_floor.is_some()
+            || self.rough_lid.is_some()
+            || self.intruder_radius.is_some()
+            || self.mesh.is_some()
+    }
+
+    /// Why nothing moves along an axis that a stress or a speed could drive.
+    fn no_control(&self, axis: Axis) -> Option<&'static str> {
+        if self.container == Container::Drum || (axis == Axis::Y && self.is_flat()) {
+            Some("has no wall and no period to move: a drum and a plane have none")
+        } else if axis == Axis::Z && self.boundary_z == EndBoundary::Floor {
+            Some("needs boundary_z = \"walls\" or \"periodic\"; above a floor the box is open")
+        } else if self.is_periodic(axis) && self.method != ContactMethod::Soft {
+            Some(
+                "moves a wall; a periodic box that deforms needs method = \"soft\", a wall the boundary \"walls\"",
+            )
+        } else {
+            None
         }
     }
 

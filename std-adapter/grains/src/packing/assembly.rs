@@ -150,8 +150,11 @@ impl Assembly {
         self.radii.iter().sum::<f64>() / self.radii.len() as f64
     }
 
-    /// The deepest overlap over the smaller radius, with its spheres.
-    pub(crate) fn deepest(&self) -> Result<Option<(f64, [u32; 2])>, SpaceError> {
+    /// The deepest overlap over the smaller radius of two spheres that count, with these.
+    pub(crate) fn deepest(
+        &self,
+        counts: impl Fn(&&[u32; 2]) -> bool,
+    ) -> Result<Option<(f64, [u32; 2])>, SpaceError> {
         let pairs = neighbours(&self.space, &self.positions, &self.radii, 0.0)?;
         let depth = |&[a, b]: &[u32; 2]| {
             let [i, j] = [a as usize, b as usize];
@@ -164,6 +167,7 @@ impl Assembly {
         };
         Ok(pairs
             .iter()
+            .filter(counts)
             .map(depth)
             .max_by(|a, b| f64::total_cmp(&a.0, &b.0)))
     }

@@ -5,6 +5,7 @@ use super::{
     PackingRunError, PackingStopReason, SecondMaterial, SecondMaterialKeys, WorldSnapshot,
     build_with,
 };
+use nalgebra::Vector3;
 use serde_json::{Map, Value};
 use std::fmt::Debug;
 use std::ops::ControlFlow;
@@ -23,6 +24,8 @@ pub trait PackingBody<const N: usize>: Debug + Sized {
 
     /// Columns of the series.
     const COLUMNS: [&'static str; N];
+    /// Number of its first columns that checkpoints of earlier versions have.
+    const FORMER_COLUMNS: usize = N;
     /// First key of a checkpoint, and the version of its format.
     const FORMAT: (&'static str, u64);
     /// What a film shows.
@@ -51,6 +54,10 @@ pub trait PackingBody<const N: usize>: Debug + Sized {
     fn bounds(&self) -> RunLimits;
     /// Number of walls.
     fn walls(&self) -> usize;
+    /// Corners of a wall of triangles beside these; none without one.
+    fn corners(&self) -> Vec<Vector3<f64>> {
+        Vec::new()
+    }
     /// Spheres and walls at the start.
     fn bodies(&self, start: &InitialSpheres, features: &OptionalFeatures) -> Bodies;
     /// What the body has beside material and walls; the spheres' kinds are added to it.

@@ -4,9 +4,9 @@ use super::body::{PackingBody, RunLimits};
 use super::last::read_report;
 use super::{PackingStopReason, Totals, WorldSnapshot};
 use serde_json::Value;
+use std::array;
 use tribos_base::record::CheckpointError;
-use tribos_base::record::checkpoint::{damaged, groups, opened};
-use tribos_base::scene::table::Table;
+use tribos_base::record::checkpoint::{damaged, numbers, opened};
 use tribos_contacts::cd::StepReport;
 
 /// Key of the digest of what a run began with.
@@ -22,7 +22,8 @@ pub(crate) struct PackingCheckpoint<B: PackingBody<N>, const N: usize> {
     /// Digest of what the run began with.
     pub origin: String,
     pub watch: B::Monitor,
-    pub series: Vec<[f64; N]>,
+    /// Lines of the series, one after the other.
+    series: Vec<f64>,
     /// Why the run ended, if it has.
     pub ending: Option<PackingStopReason>,
 }
@@ -33,7 +34,7 @@ impl<B: PackingBody<N>, const N: usize> PackingCheckpoint<B, N> {
         let Some(text) = text else {
             return Ok(None);
         };
-        let value = opened(text, B::FORMAT, B::Scene::TABLE, scene)?;
+        let value = opened::<B::Scene>(text, B::FORMAT, scene)?;
         Ok(Some(Self {
             frozen: WorldSnapshot::read(&value)?,
             totals: Totals::read(&value)?,
@@ -43,7 +44,7 @@ impl<B: PackingBody<N>, const N: usize> PackingCheckpoint<B, N> {
                 .ok_or_else(|| damaged(ORIGIN))?
                 .into(),
             watch: B::read(&value)?,
-            series: groups(&value, "series")?,
+            series: numbers(&value, "series")?,
             ending: PackingStopReason::read(
                 &value,
                 &[B::OVER, PackingStopReason::Time, PackingStopReason::Steps],
@@ -51,13 +52,12 @@ impl<B: PackingBody<N>, const N: usize> PackingCheckpoint<B, N> {
         }))
     }
 
-    /// Whether the state has these numbers of spheres and walls, forces only between them, as many lines of the
-    /// series as the scene writes in its number of steps, and began with what the scene begins with now.
+    /// Whether the state has these numbers of spheres and walls, forces only between them, and began with what the scene
+    /// begins with now.
     pub fn fits(
         &self,
-        (spheres, walls): (usize, usize),
+        (spheres, walls, has_mesh): (usize, usize, bool),
         origin: &str,
-        to: RunLimits,
     ) -> Result<(), CheckpointError> {
         if self.origin != origin {
             return Err(CheckpointError::Scene {
@@ -66,16 +66,23 @@ impl<B: PackingBody<N>, const N: usize> PackingCheckpoint<B, N> {
                 given: "changed since".into(),
             });
         }
-        let steps = self.frozen.steps;
-        let last = self.ending.is_some() && !steps.is_multiple_of(to.samples);
-        let lines = 1 + steps / to.samples + u64::from(last);
-        if self.series.len() as u64 != lines {
-            return Err(damaged("series"));
-        }
-        if self.frozen.fits(spheres, walls) {
+        if self.frozen.fits(spheres, walls, has_mesh) {
             Ok(())
         } else {
             Err(damaged("numbers of spheres"))
         }
+    }
+
+    /// As many lines of the series as the scene writes in the number of steps; columns that have come since are NaN.
+    pub fn series(&self, to: RunLimits) -> Result<Vec<[f64; N]>, CheckpointError> {
+        let steps = self.frozen.steps;
+        let last = self.ending.is_some() && !steps.is_multiple_of(to.samples);
+        let lines = 1 + steps / to.samples + u64::from(last);
+        let is_whole = |columns: &&usize| (**columns as u64).checked_mul(lines) == Some(self.series.len() as u64);
+        let columns = [N, B::FORMER_COLUMNS];
+        let columns = columns.iter().find(is_whole);
+        let &columns = columns.ok_or_else(|| damaged("series"))?;
+        let line = |numbers: &[f64]| array::from_fn(|i| numbers.get(i).copied().unwrap_or(f64::NAN));
+        Ok(self.series.chunks(columns).map(line).collect())
     }
 }

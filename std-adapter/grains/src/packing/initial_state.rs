@@ -38,12 +38,13 @@ pub(crate) fn deepest(method: ContactMethod) -> f64 {
     }
 }
 
-/// Spheres with the periods of a scene; `periods` has the lengths of its periodic axes with their keys, and
-/// `radius` is the mean radius that it expects.
+/// Spheres with the periods of a scene; `periods` has the lengths of its periodic axes with their keys, `radius` is
+/// the mean radius that it expects of those that move, and `is_bound` tells types that no force moves.
 pub(crate) fn given(
     (path, columns): (&Path, Option<&PackingColumns>),
     periods: [Option<(f64, &'static str)>; 3],
     (radius, method): (f64, ContactMethod),
+    is_bound: impl Fn(u8) -> bool,
 ) -> Result<Assembly, AssemblyError> {
     let file = path.display().to_string();
     let refused = |reason: String| AssemblyError::Content {
@@ -76,16 +77,18 @@ pub(crate) fn given(
     }
     // Axes repeat in the box of the scene, not in that of the file.
     assembly.set_periods(&file, lengths)?;
-    let known = 1..=2;
+    let known = |material: &u8| *material == 1 || *material == 2 || is_bound(*material);
     if let Some(materials) = &assembly.materials
-        && let Some(other) = materials.iter().find(|material| !known.contains(*material))
+        && let Some(other) = materials.iter().find(|material| !known(material))
     {
         return Err(refused(format!(
             "there is a sphere of type {other}, and a scene has two materials; give types 1 and 2"
         )));
     }
     if assembly.frozen.is_none() {
-        check_spheres(&file, &assembly, radius, method)?;
+        let kinds = assembly.materials.as_deref().unwrap_or_default();
+        let moves = |sphere: usize| !kinds.get(sphere).is_some_and(|kind| is_bound(*kind));
+        check_spheres(&file, &assembly, (radius, method), moves)?;
     }
     Ok(assembly)
 }
@@ -114,25 +117,30 @@ fn check_within(
 fn check_spheres(
     file: &str,
     assembly: &Assembly,
-    radius: f64,
-    method: ContactMethod,
+    (radius, method): (f64, ContactMethod),
+    moves: impl Fn(usize) -> bool,
 ) -> Result<(), AssemblyError> {
     let refused = |reason: String| AssemblyError::Content {
         file: file.into(),
         reason,
     };
-    let mean = assembly.mean_radius();
+    let radii = assembly.radii.iter().enumerate();
+    let radii: Vec<f64> = radii.filter(|(i, _)| moves(*i)).map(|(_, r)| *r).collect();
+    let mean = radii.iter().sum::<f64>() / radii.len() as f64;
     let [smallest, largest] = MEAN_RADII;
-    if !(smallest..=largest).contains(&(mean / radius)) {
+    if !radii.is_empty() && !(smallest..=largest).contains(&(mean / radius)) {
         let factor = radius / mean;
         return Err(refused(format!(
             "the mean radius is {mean}, and that of the scene is {radius}; multiply all lengths by {factor}"
         )));
     }
-    let deepest = assembly.deepest().map_err(|cause| AssemblyError::Space {
-        file: file.into(),
-        cause,
-    })?;
+    let one_moves = |pair: &&[u32; 2]| pair.iter().any(|sphere| moves(*sphere as usize));
+    let deepest = assembly
+        .deepest(one_moves)
+        .map_err(|cause| AssemblyError::Space {
+            file: file.into(),
+            cause,
+        })?;
     let most = self::deepest(method);
     match deepest {
         Some((depth, [a, b])) if depth > most => Err(refused(format!(
@@ -195,6 +203,7 @@ impl WorldSnapshot {
             shear_offset: assembly.space.offset(),
             awake: vec![true; count],
             still: vec![0; count],
+            cell: None,
             origin: None,
         }
     }

@@ -7,7 +7,7 @@ use serde_json::{Map, Value};
 use tribos_base::record::checkpoint::{damaged, hex, numbers, triple};
 use tribos_base::record::{CheckpointError, digest};
 
-/// Numbers of the two materials of a scene.
+/// Numbers of the two materials of a scene. Grains of higher numbers are of the first.
 pub(super) const FIRST: u8 = 1;
 pub(super) const SECOND: u8 = 2;
 
@@ -44,6 +44,14 @@ impl Kinds {
             all.iter().map(|&material| material == SECOND).collect()
         });
         let mut kinds = Self::of(&is_second, first, other);
+        // Higher numbers stay what they are.
+        let numbers = kinds
+            .materials
+            .iter_mut()
+            .zip(of_file.into_iter().flatten());
+        for (mine, given) in numbers.filter(|(_, given)| **given > SECOND) {
+            *mine = *given;
+        }
         if let Some(densities) = &assembly.densities {
             let is_chosen = of_file.is_none() && other.density.is_some();
             for ((mine, given), is_second) in
@@ -86,8 +94,7 @@ impl Kinds {
         let digits = value["materials"].as_str();
         let digits = digits.ok_or_else(|| damaged("materials"))?;
         let material = |byte| match byte {
-            b'1' => Ok(FIRST),
-            b'2' => Ok(SECOND),
+            b'1'..=b'9' => Ok(byte - b'0'),
             _ => Err(damaged("materials")),
         };
         let materials = digits
@@ -117,9 +124,13 @@ pub(crate) fn mixed(materials: &[u8]) -> bool {
     materials.iter().any(|&material| material != FIRST)
 }
 
-/// What a run begins with, as a digest: places, radii and kinds.
-pub(crate) fn origin(positions: &[Vector3<f64>], radii: &[f64], kinds: &Kinds) -> String {
-    let numbers = positions.iter().flat_map(triple);
+/// What a run begins with, as a digest: places, those of the corners of a mesh behind them, radii and kinds.
+pub(crate) fn origin<'a>(
+    positions: impl Iterator<Item = &'a Vector3<f64>>,
+    radii: &[f64],
+    kinds: &Kinds,
+) -> String {
+    let numbers = positions.flat_map(triple);
     let numbers = numbers.chain(radii.iter().chain(&kinds.densities).copied());
     let mut bytes: Vec<u8> = numbers.flat_map(f64::to_le_bytes).collect();
     bytes.extend(&kinds.materials);

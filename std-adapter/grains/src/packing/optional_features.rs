@@ -1,19 +1,28 @@
-//! What some bodies have beside material and walls: a shear, a second material.
+//! What some bodies have beside material and walls: a shear, a second material, spheres that no force moves, a mesh.
 
 use super::Material;
 use nalgebra::Vector3;
 use tribos_base::random::Random;
+use tribos_contacts::cd::{MovingMesh, solid};
+use tribos_contacts::soft::CellControl;
+use tribos_core::contact::SphereBody;
 
-/// A shear and a second material, of which most bodies have neither.
+/// What most bodies have nothing of.
 #[derive(Clone, Debug, Default)]
 pub struct OptionalFeatures {
     /// Rate of a simple shear, velocity along x over height along z.
     pub shear_rate: f64,
+    /// How the periodic box is deformed, of soft spheres.
+    pub cell: Option<CellControl>,
     pub second: Option<SecondMaterial>,
     /// Densities of the spheres; those of the material if there are none.
     pub densities: Vec<f64>,
     /// Velocities at the start, beside that of the shear; none if there are fewer than spheres.
     pub velocities: Vec<Vector3<f64>>,
+    /// Spheres that no force moves, in ascending order.
+    pub bound: Vec<usize>,
+    /// A wall of triangles.
+    pub mesh: Option<MovingMesh>,
 }
 
 /// A second material among the spheres.
@@ -77,6 +86,18 @@ impl OptionalFeatures {
     /// Density of a sphere.
     pub fn density(&self, first: &Material, sphere: usize) -> f64 {
         self.densities.get(sphere).copied().unwrap_or(first.density)
+    }
+
+    /// The spheres at rest.
+    pub fn spheres(&self, first: &Material, radii: &[f64]) -> Vec<SphereBody<f64>> {
+        let radii = radii.iter().enumerate();
+        let mut spheres: Vec<_> = radii
+            .map(|(i, &r)| solid(r, self.density(first, i)))
+            .collect();
+        for &sphere in &self.bound {
+            (spheres[sphere].inv_mass, spheres[sphere].inv_inertia) = (0.0, 0.0);
+        }
+        spheres
     }
 
     /// The largest coefficients of any two spheres: which modes the contacts carry.

@@ -12,7 +12,7 @@ use tribos_base::space::PeriodicBox;
 use tribos_contacts::cd::internals::{Coefficients, Memory, Sleep, StoredForce};
 use tribos_contacts::cd::{
     self, ContactMaterial, EnergyBalance, Facing, MaterialTable, StepReport, StopRule, Wall, World,
-    WorldError, WorldMaterials, WorldSetup, WorldState, solid,
+    WorldError, WorldMaterials, WorldSetup, WorldState,
 };
 use tribos_contacts::problem::GlobalProblem;
 use tribos_core::contact::{
@@ -140,21 +140,16 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
             step_limits,
             still_speed,
         } => (solver, step_limits, still_speed),
-        // Springs know neither a shear nor several materials.
-        Method::Soft(_) if extras.shear_rate != 0.0 => {
-            let rate = extras.shear_rate;
-            return Err(WorldError::Shear { rate }.into());
-        }
+        // Springs know no mixtures.
         Method::Soft(_) if mixture.is_some() => return Err(WorldError::Mixture.into()),
         Method::Soft(springs) => {
-            let density = |sphere: usize| extras.density(material, sphere);
-            return soft::boxed(density, bodies, &springs, frozen, first);
+            let spheres = extras.spheres(material, &bodies.radii);
+            return soft::boxed(spheres, (bodies, extras), &springs, frozen, first);
         }
     };
-    let density = |sphere: usize| extras.density(material, sphere);
-    let spheres = bodies.radii.iter().enumerate();
     let setup = WorldSetup {
-        spheres: spheres.map(|(i, &r)| solid(r, density(i))).collect(),
+        spheres: extras.spheres(material, &bodies.radii),
+        mesh: extras.mesh.clone(),
         mixture,
         space: bodies.space,
         positions: bodies.positions,
@@ -266,6 +261,13 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         &mut self.state_mut().walls
     }
 
+    fn place(&mut self, sphere: usize, at: Vector3<f64>, velocity: Vector3<f64>) {
+        let state = self.state_mut();
+        state.positions[sphere] = at;
+        let body = &mut state.spheres[sphere];
+        (body.velocity, body.spin) = (velocity, Vector3::zeros());
+    }
+
     fn space(&self) -> PeriodicBox {
         World::space(self)
     }
@@ -299,6 +301,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         let [pairs, walls] = &state.memory.forces;
         let book = setup.book();
         let mut rows = Vec::with_capacity(pairs.len() + walls.len());
+        let mesh = setup.mesh.as_ref().map(|mesh| mesh.at(state.time));
         let with_impact = |kind, bodies, force: &ContactVector<f64, F::Modes>| {
             let impact = state.impacts.force(kind, bodies);
             impact.map_or(*force, |impact| force.plus_scaled(1.0, impact))
@@ -315,8 +318,18 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         }
         for ([a, b], force) in walls {
             let force = with_impact(1, [*a, *b], force);
-            let (i, wall) = (*a as usize, &state.walls[*b as usize]);
-            let Facing { outward, height } = wall.facing(&setup.space, &state.positions[i]);
+            let (i, wall) = (*a as usize, *b as usize);
+            let x = &state.positions[i];
+            let facing = match state.walls.get(wall) {
+                Some(wall) => Some(wall.facing(&setup.space, x)),
+                None => mesh.and_then(|mesh| {
+                    let number = *b - state.walls.len() as u32;
+                    mesh.facing(number, &setup.space, x)
+                }),
+            };
+            let Some(Facing { outward, height }) = facing else {
+                continue;
+            };
             let touch = ContactGeometry::plate(height, &outward, setup.radii[i])?;
             if force.normal != 0.0 || touch.gap <= book.at_wall([*a, *b]).normal.cohesion().range()
             {
@@ -345,6 +358,7 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
             awake: state.sleep.awake().to_vec(),
             still: state.sleep.slow_steps().to_vec(),
             origin: None,
+            cell: None,
         }
     }
 }

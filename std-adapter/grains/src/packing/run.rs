@@ -113,9 +113,12 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
         scene.check()?;
         let kept = PackingCheckpoint::<B, N>::read(checkpoint, &scene.json())?;
         let (body, start) = B::place(scene, &mut watch)?;
-        let origin = origin(&start.positions, &start.radii, &start.kinds);
+        let corners = body.corners();
+        let places = start.positions.iter().chain(&corners);
+        let origin = origin(places, &start.radii, &start.kinds);
         if let Some(kept) = &kept {
-            kept.fits((start.radii.len(), body.walls()), &origin, body.bounds())?;
+            let numbers = (start.radii.len(), body.walls(), !corners.is_empty());
+            kept.fits(numbers, &origin)?;
         }
         let frozen = kept.as_ref().map(|kept| &kept.frozen);
         let packing = packing_of(&body, &start, frozen.or(start.frozen.as_ref()))?;
@@ -143,9 +146,9 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
 
     /// Takes over what a checkpoint has beside the packing.
     fn restore(&mut self, kept: PackingCheckpoint<B, N>) -> Result<(), PackingRunError> {
+        self.series = kept.series(self.body.bounds())?;
         self.watch = kept.watch;
         self.totals = kept.totals;
-        self.series = kept.series;
         self.ending = kept.ending;
         self.seen.report = kept.report;
         if self.steps() > 0 {
@@ -229,7 +232,7 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
     pub(crate) fn statistics(&self) -> ContactStatistics {
         let limits = Limits::of(&self.body.contact_keys().material);
         ContactStatistics::of(&self.seen.contacts, self.seen.packing.radii(), &limits)
-            .of_materials(self.kinds.mixed().is_some())
+            .of_materials(self.kinds.is_second().contains(&true))
     }
 
     /// Sums over the steps, with the time up to now.

@@ -32,6 +32,14 @@ pub enum PackingRunError {
     /// The spheres that the scene starts from cannot be used.
     #[error("`initial_state`: {0}")]
     Start(#[from] AssemblyError),
+    /// The triangles of a wall cannot be read.
+    #[error("`mesh`: {file}: {reason}")]
+    Mesh {
+        /// Name of the file.
+        file: String,
+        /// What is wrong, and what would be valid.
+        reason: String,
+    },
     /// A length of the box cannot be a period.
     #[error(transparent)]
     Space(#[from] SpaceError),

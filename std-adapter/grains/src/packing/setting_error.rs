@@ -20,6 +20,12 @@ pub enum SettingError {
     /// Times of a ramp do not ascend.
     #[error("times must ascend: {0} is followed by {1}")]
     RampOrder(f64, f64),
+    /// The text has no types of grains.
+    #[error("`{0}` must be types from 1 to 9 such as \"2, 3\"")]
+    Types(String),
+    /// The text has no three coordinates.
+    #[error("`{0}` must be three numbers such as \"0, 0, 0.1\"")]
+    Coordinates(String),
     /// The text names no distribution.
     #[error(
         "give \"uniform:0.2\", \"normal:0.1\", \"lognormal:0.3\" or \"table:FILE.csv\", not \"{0}\""

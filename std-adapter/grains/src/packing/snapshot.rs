@@ -14,6 +14,8 @@ const FORCE: usize = 10;
 const FORCES: [&str; 2] = ["pair_forces", "wall_forces"];
 /// Key of what only soft spheres have: elastic energy now, energies at the start.
 const SOFT: &str = "soft";
+/// Key of what only a deforming box has.
+const CELL: &str = "cell";
 const IMPACTS: [&str; 2] = ["pair_impacts", "wall_impacts"];
 
 /// The state of a world independent of its contact modes.
@@ -37,6 +39,8 @@ pub struct WorldSnapshot {
     pub still: Vec<u8>,
     /// Energies of springs and cohesion at the start, of soft spheres alone.
     pub origin: Option<[f64; 2]>,
+    /// Lengths of a deforming box, 0 along an open axis, and the speeds at which they change.
+    pub cell: Option<[[f64; 3]; 2]>,
 }
 
 /// Forces of pairs and at walls, with their bodies.
@@ -73,6 +77,9 @@ impl WorldSnapshot {
             put("shear_offset", vec![self.shear_offset]);
         }
         put("book", energy_numbers(&self.energy).to_vec());
+        if let Some(cell) = self.cell {
+            put(CELL, cell.concat());
+        }
         if let Some([elastic, cohesion]) = self.origin {
             put(SOFT, vec![self.energy.elastic, elastic, cohesion]);
         }
@@ -127,11 +134,19 @@ impl WorldSnapshot {
             awake: awake(value)?,
             still: still(value)?,
             origin: soft.map(|[_, elastic, cohesion]| [elastic, cohesion]),
+            cell: match &value[CELL] {
+                Value::Null => None,
+                _ => {
+                    let numbers = <[f64; 6]>::try_from(numbers(value, CELL)?);
+                    let [x, y, z, along, across, up] = numbers.map_err(|_| damaged(CELL))?;
+                    Some([[x, y, z], [along, across, up]])
+                }
+            },
         })
     }
 
-    /// Whether the state has these numbers of spheres and walls, and forces only between them.
-    pub fn fits(&self, spheres: usize, walls: usize) -> bool {
+    /// Whether the state has these numbers of spheres and walls, and forces only between them, or at a mesh.
+    pub fn fits(&self, spheres: usize, walls: usize, has_mesh: bool) -> bool {
         let lengths = [
             self.positions.len(),
             self.motions.len(),
@@ -143,7 +158,7 @@ impl WorldSnapshot {
             pairs.iter().all(|([a, b], _)| known(*a) && known(*b))
                 && plates
                     .iter()
-                    .all(|([a, wall], _)| known(*a) && (*wall as usize) < walls)
+                    .all(|([a, wall], _)| known(*a) && (has_mesh || (*wall as usize) < walls))
         };
         lengths.iter().all(|&length| length == spheres)
             && self.walls.len() == walls

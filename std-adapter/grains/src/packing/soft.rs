@@ -1,15 +1,17 @@
 //! A world of soft spheres with its contact modes hidden behind the trait of packings.
 
-use super::{Bodies, Force, Forces, Packing, PackingRunError, Springs, WorldSnapshot};
+use super::{
+    Bodies, Force, Forces, OptionalFeatures, Packing, PackingRunError, Springs, WorldSnapshot,
+};
 use nalgebra::Vector3;
 use std::fmt::Debug;
 use tribos_base::record::{ContactRow, Partner};
 use tribos_base::space::PeriodicBox;
 use tribos_contacts::cd::{
-    EnergyBalance, StepLimits, StepReport, Wall, WorldError, WorldMaterials, solid,
+    EnergyBalance, StepLimits, StepReport, Wall, WorldError, WorldMaterials,
 };
 use tribos_contacts::problem::GlobalProblem;
-use tribos_contacts::soft::{SoftContact, SoftSetup, SoftState, SoftWorld};
+use tribos_contacts::soft::{AxisControl, SoftContact, SoftSetup, SoftState, SoftWorld};
 use tribos_core::contact::{
     ContactError, ContactFriction, ContactGeometry, ContactModes, ContactVector, SphereBody,
 };
@@ -23,18 +25,18 @@ struct SoftPacking<F: ContactFriction<f64>> {
     limits: StepLimits,
 }
 
-/// A packing with these contact modes.
+/// A packing of these spheres, with a mesh if there is one, and these contact modes.
 pub(super) fn boxed<F: ContactFriction<f64> + Debug + 'static>(
-    density: impl Fn(usize) -> f64,
-    bodies: Bodies,
+    spheres: Vec<SphereBody<f64>>,
+    (bodies, extras): (Bodies, &OptionalFeatures),
     springs: &Springs,
     frozen: Option<&WorldSnapshot>,
     laws: WorldMaterials<F>,
 ) -> Result<Box<dyn Packing>, PackingRunError> {
     let limits = springs.step_limits;
-    let spheres = bodies.radii.iter().enumerate();
-    let setup = SoftSetup {
-        spheres: spheres.map(|(i, &r)| solid(r, density(i))).collect(),
+    let mut setup = SoftSetup {
+        spheres,
+        mesh: extras.mesh.clone(),
         space: bodies.space,
         positions: bodies.positions,
         radii: bodies.radii,
@@ -43,8 +45,12 @@ pub(super) fn boxed<F: ContactFriction<f64> + Debug + 'static>(
         damping: springs.damping,
         longest: limits.longest,
         steps_per_collision: springs.steps_per_collision,
+        cell: extras.cell,
         ..SoftSetup::new(laws, springs.stiffness)
     };
+    for (sphere, velocity) in setup.spheres.iter_mut().zip(&extras.velocities) {
+        sphere.velocity += velocity;
+    }
     let mut world = SoftWorld::new(setup)?;
     if let Some(frozen) = frozen {
         thaw(frozen, &mut world)?;
@@ -71,6 +77,15 @@ fn thaw<F: ContactFriction<f64>>(
     }
     for (wall, (place, velocity)) in state.walls.iter_mut().zip(&frozen.walls) {
         (wall.place, wall.plate.velocity) = (*place, *velocity);
+    }
+    if let Some([lengths, speeds]) = frozen.cell {
+        let lengths =
+            [0, 1, 2].map(|axis: usize| Some(lengths[axis]).filter(|length| *length > 0.0));
+        let step = frozen.steps;
+        let space = PeriodicBox::new(lengths);
+        let space = space.map_err(|cause| WorldError::Neighbours { step, cause })?;
+        state.space = space.sheared(frozen.shear_offset);
+        state.speeds = speeds;
     }
     state.energy = frozen.energy;
     state.energy.before_first(state.spheres.iter());
@@ -151,8 +166,19 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
         &mut self.world.state_mut().walls
     }
 
+    fn place(&mut self, sphere: usize, at: Vector3<f64>, velocity: Vector3<f64>) {
+        let state = self.world.state_mut();
+        state.positions[sphere] = at;
+        let body = &mut state.spheres[sphere];
+        (body.velocity, body.spin) = (velocity, Vector3::zeros());
+    }
+
     fn set_gravity(&mut self, gravity: Vector3<f64>) {
         self.world.set_gravity(gravity);
+    }
+
+    fn set_axes(&mut self, axes: [AxisControl; 3]) {
+        self.world.set_axes(axes);
     }
 
     fn energy(&self) -> &EnergyBalance {
@@ -187,7 +213,7 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
     }
 
     fn space(&self) -> PeriodicBox {
-        self.world.setup().space
+        self.world.state().space
     }
 
     fn snapshot(&self) -> WorldSnapshot {
@@ -203,7 +229,7 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
                 .iter()
                 .map(|wall| (wall.place, wall.plate.velocity))
                 .collect(),
-            shear_offset: 0.0,
+            shear_offset: state.space.offset(),
             energy: state.energy,
             forces: stored(state, |contact| contact.force),
             // A soft contact has no impacts; its springs take their place.
@@ -211,6 +237,12 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
             awake: vec![true; bodies],
             still: vec![0; bodies],
             origin: state.origin,
+            cell: self.world.setup().cell.map(|_| {
+                [
+                    state.space.lengths().map(|length| length.unwrap_or(0.0)),
+                    state.speeds,
+                ]
+            }),
         }
     }
 }

@@ -8,7 +8,6 @@ use nalgebra::Vector3;
 use serde_json::{Map, Value};
 use tribos_base::record::checkpoint::{damaged, groups, hex, numbers, of_other_body, triple};
 use tribos_base::record::{CheckpointError, ContactRow, Partner, verified, with_digest};
-use tribos_base::scene::key::with_present_names;
 use tribos_base::scene::table::Table;
 use tribos_base::space::PeriodicBox;
 
@@ -115,14 +114,15 @@ impl Stored {
             frozen: WorldSnapshot::read(&value)?,
         };
         let (spheres, walls) = (stored.shape.radii.len(), stored.shape.outward.len());
+        let has_mesh = stored.scene["mesh"].is_string();
         let known = |row: &ContactRow| {
             let b = match row.b {
                 Partner::Particle(b) => (b as usize) < spheres,
-                Partner::Wall(wall) => (wall as usize) < walls,
+                Partner::Wall(wall) => has_mesh || (wall as usize) < walls,
             };
             b && (row.a as usize) < spheres
         };
-        if stored.frozen.fits(spheres, walls) && stored.shape.contacts.iter().all(known) {
+        if stored.frozen.fits(spheres, walls, has_mesh) && stored.shape.contacts.iter().all(known) {
             Ok(stored)
         } else {
             Err(damaged("numbers of spheres"))
@@ -132,13 +132,12 @@ impl Stored {
 
 /// The scene of a file, by the present names of its keys.
 pub(crate) fn scene(values: &Value) -> Value {
-    let keys = match values["body"].as_str() {
-        Some(PowderScene::BODY) => PowderScene::KEYS,
-        Some(GrainsScene::BODY) => GrainsScene::KEYS,
-        Some(GasScene::BODY) => GasScene::KEYS,
-        _ => &[],
-    };
-    with_present_names(keys, values)
+    match values["body"].as_str() {
+        Some(PowderScene::BODY) => PowderScene::present(values),
+        Some(GrainsScene::BODY) => GrainsScene::present(values),
+        Some(GasScene::BODY) => GasScene::present(values),
+        _ => values.clone(),
+    }
 }
 
 /// Walls count down from −1, as in the exports of contacts.

@@ -7,7 +7,7 @@ use tribos_base::record::{ContactRow, Partner};
 use tribos_base::space::PeriodicBox;
 use tribos_contacts::cd::{ContactSolver, EnergyBalance, StepLimits, StepReport, Wall, WorldError};
 use tribos_contacts::problem::GlobalProblem;
-use tribos_contacts::soft::Stiffness;
+use tribos_contacts::soft::{AxisControl, Stiffness};
 use tribos_core::contact::{ContactError, SphereBody};
 
 /// Spheres and walls at the start.
@@ -61,10 +61,14 @@ pub trait Packing: Debug {
     fn walls(&self) -> &[Wall];
     /// Walls, which a body may move and load between two steps.
     fn walls_mut(&mut self) -> &mut [Wall];
+    /// Puts a sphere that no force moves where its drive has it, with the velocity of the next step.
+    fn place(&mut self, sphere: usize, at: Vector3<f64>, velocity: Vector3<f64>);
     /// The periodic box, with the images of a sheared one at their current places.
     fn space(&self) -> PeriodicBox;
     /// Sets the acceleration of all spheres for the next steps.
     fn set_gravity(&mut self, gravity: Vector3<f64>);
+    /// Sets what the axes of a deforming box follow in the next steps; a box that does not deform has none.
+    fn set_axes(&mut self, _axes: [AxisControl; 3]) {}
     /// Energy balance.
     fn energy(&self) -> &EnergyBalance;
     /// Contacts that carry a force or lie within the range of cohesion, with the forces of the last

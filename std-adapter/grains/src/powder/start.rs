@@ -39,6 +39,7 @@ fn read(scene: &PowderScene, path: &Path) -> Result<(Deposit, InitialSpheres), A
         (path, scene.columns.as_ref()),
         [width, width, None],
         (1.0, scene.method),
+        |_| false,
     )?;
     in_units_of_first(&mut assembly);
     let of_powder = [Vector3::z(), -Vector3::z()];

@@ -3,7 +3,7 @@
 use tribos_base::record::extended_xyz;
 use tribos_base::run::{Simulation, run_to_end};
 use tribos_grains::grains::{COLUMNS, GrainsSimulation};
-use tribos_grains::scene::{EndBoundary, GrainsScene, SideBoundary};
+use tribos_grains::scene::{ContactMethod, EndBoundary, GrainsScene, SideBoundary};
 
 type Answer = Result<(), Box<dyn std::error::Error>>;
 
@@ -171,4 +171,128 @@ fn grains_all_of_the_second_material_run_as_grains_of_it_alone() -> Answer {
     let [second, alone] = runs;
     assert_eq!(second?, alone?);
     Ok(())
+}
+
+/// The same beads on springs, without friction, in a box whose height follows a stress.
+fn pressed(rate: f64, stress: f64) -> GrainsScene {
+    GrainsScene {
+        method: ContactMethod::Soft,
+        stiffness: 1e4,
+        mu: 0.0,
+        restitution: 0.0,
+        wall_stress_z: Some(stress.into()),
+        duration: 1.5,
+        ..sheared(rate)
+    }
+}
+
+#[test]
+fn a_box_of_springs_keeps_its_stress_while_it_is_sheared() -> Answer {
+    let stress = 400.0; // Pa
+    let mut grains = GrainsSimulation::new(&pressed(4.0, stress))?;
+    run_to_end(&mut grains, |_, _| ())?;
+    let rows = grains.series();
+    let mean = |name: &str| {
+        let column = COLUMNS
+            .iter()
+            .position(|column| *column == name)
+            .unwrap_or(0);
+        let later = &rows[rows.len() / 2..];
+        later.iter().map(|row| row[column]).sum::<f64>() / later.len() as f64
+    };
+    // Impulses of the motion carry a little of it.
+    assert!(
+        (mean("stress_zz") / stress - 1.0).abs() < 0.05,
+        "{}",
+        mean("stress_zz")
+    );
+    assert!(mean("shear_stress") > 0.0 && mean("stress_ratio") < 0.4);
+    // Random loose packing and closest packing bound a flow of frictionless spheres.
+    assert!(
+        (0.5..0.7).contains(&mean("solid_fraction")),
+        "{}",
+        mean("solid_fraction")
+    );
+    Ok(())
+}
+
+#[test]
+fn a_box_that_deforms_goes_on_from_its_checkpoint_with_the_same_bits() -> Answer {
+    let scene = GrainsScene {
+        duration: 0.1,
+        wall_velocity_x: Some((-0.02).into()),
+        ..pressed(4.0, 400.0)
+    };
+    let mut whole = GrainsSimulation::new(&scene)?;
+    let mut kept = None;
+    while whole.ending().is_none() {
+        whole.step()?;
+        if whole.steps() == 20 {
+            kept = Some(whole.checkpoint());
+        }
+    }
+    let mut rest = GrainsSimulation::begin(&scene, kept.as_deref(), |_| {
+        std::ops::ControlFlow::Continue(())
+    })?;
+    run_to_end(&mut rest, |_, _| ())?;
+    assert_eq!(whole.record(), rest.record());
+    assert_eq!(whole.contacts(), rest.contacts());
+    assert!((last(&whole, "width") - (4.0 * 0.0112 - 0.02 * whole.time())).abs() < 1e-12);
+    Ok(())
+}
+
+#[test]
+fn a_box_without_contacts_carries_its_grains_with_its_strain() -> Answer {
+    // Neighbours stay apart while the box grows along y and z.
+    let scene = GrainsScene {
+        wall_velocity_y: Some(0.05.into()),
+        wall_velocity_z: Some(0.1.into()),
+        wall_stress_z: None,
+        shear_rate: None,
+        radius_spread: 0.0,
+        initial_spacing: 1.1,
+        width: 4.0 * 0.0125,
+        height: Some(4.0 * 0.0125),
+        duration: 0.2,
+        ..pressed(0.0, 0.0)
+    };
+    let mut grains = GrainsSimulation::new(&scene)?;
+    let [before, mut after] = [(); 2].map(|()| Vec::new());
+    let mut places = before;
+    grains.with_snapshot(|state| places.extend_from_slice(state.positions));
+    run_to_end(&mut grains, |_, _| ())?;
+    grains.with_snapshot(|state| after.extend_from_slice(state.positions));
+    let grown = [0.0, 0.05, 0.1].map(|speed| 1.0 + speed * grains.time() / (4.0 * 0.0125));
+    for (x, y) in places.iter().zip(&after) {
+        for axis in 0..3 {
+            assert!((x[axis] * grown[axis] - y[axis]).abs() < 1e-12, "{x} {y}");
+        }
+    }
+    assert_eq!(last(&grains, "contacts"), 0.0);
+    Ok(())
+}
+
+#[test]
+fn what_cannot_deform_is_refused() {
+    let rigid = GrainsScene {
+        method: ContactMethod::ContactDynamics,
+        ..pressed(4.0, 400.0)
+    };
+    for (scene, word) in [
+        (rigid, "method = \"soft\""),
+        (
+            GrainsScene {
+                boundary_z: EndBoundary::Floor,
+                shear_rate: None,
+                ..pressed(4.0, 1.0)
+            },
+            "above a floor",
+        ),
+    ] {
+        let refusal = GrainsSimulation::new(&scene)
+            .map(|_| ())
+            .unwrap_err()
+            .to_string();
+        assert!(refusal.contains(word), "{refusal}");
+    }
 }

@@ -115,11 +115,16 @@ impl State {
     /// ```
     pub fn of_frame(bodies: &Bodies, frame: &Frame) -> Self {
         let count = frame.places.len();
-        let side = |axis: usize| match bodies.periods[axis] {
-            Some(length) => Side::periodic(length),
-            None => {
-                let [low, high] = frame.corners.map(|corner| f64::from(corner[axis]));
-                Side::open(low, high)
+        let side = |axis: usize| {
+            let corners = frame.corners.map(|corner| corner[axis]);
+            let [low, high] = corners.map(f64::from);
+            match bodies.periods[axis] {
+                // A box that has deformed has the period of its corners.
+                Some(start) if corners[0] == 0.0 && corners[1] != start as f32 && high > 0.0 => {
+                    Side::periodic(high)
+                }
+                Some(length) => Side::periodic(length),
+                None => Side::open(low, high),
             }
         };
         let mut columns = vec![

@@ -2,6 +2,7 @@
 
 use super::*;
 use tribos_base::random::Random;
+use tribos_base::statistics::correlation::{MOST_LAGS, WINDOWS};
 
 /// Normal numbers by Box and Muller.
 pub(in crate::fit) fn normal(random: &mut Random) -> f64 {

@@ -1,6 +1,7 @@
 //! Running-in: from which stroke on the mean friction is that of the worn surface.
 
-use crate::fit::residual_tests::{correlation_time, drift, error_factor};
+use tribos_base::statistics::correlation::{correlation_time, drift, error_factor};
+use tribos_base::statistics::marginal_error_cut;
 
 /// Whether the mean friction settled, and after how many strokes.
 ///
@@ -61,7 +62,7 @@ pub(super) fn run_in(means: &[f64], numbers: &[usize]) -> RunIn {
     if count < FEWEST {
         return RunIn::TooFew;
     }
-    let cut = cut(means);
+    let cut = marginal_error_cut(means, &vec![1.0; count], MOST_LEFT_OUT);
     let (left_out, rest) = means.split_at(cut);
     let differs = differs(left_out, rest);
     let rest = if differs { rest } else { means };
@@ -79,27 +80,6 @@ pub(super) fn run_in(means: &[f64], numbers: &[usize]) -> RunIn {
     } else {
         RunIn::None
     }
-}
-
-/// The number of strokes whose omission makes the standard error of the mean smallest.
-fn cut(means: &[f64]) -> usize {
-    let count = means.len();
-    let most = (MOST_LEFT_OUT * count as f64) as usize;
-    // Sums from the end, of values about the last one: no digits are lost.
-    let origin = means.last().copied().unwrap_or(0.0);
-    let (mut sum, mut squares) = (0.0, 0.0);
-    let (mut best, mut least) = (0, f64::INFINITY);
-    for (d, mean) in means.iter().enumerate().rev() {
-        let value = mean - origin;
-        sum += value;
-        squares += value * value;
-        let left = (count - d) as f64;
-        let score = (squares - sum * sum / left) / (left * left);
-        if d <= most && score <= least {
-            (best, least) = (d, score);
-        }
-    }
-    best
 }
 
 /// Whether the strokes left out differ from the rest beyond its scatter.

@@ -1,7 +1,7 @@
 //! Means over the strokes after the run-in.
 
 use super::{Stroke, StrokeDirection};
-use crate::fit::residual_tests::{correlation_time, error_factor};
+use tribos_base::statistics::correlation::{correlation_time, error_factor};
 
 /// Means over the complete strokes after the run-in, in the unit of friction.
 ///
