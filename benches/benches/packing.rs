@@ -1,14 +1,19 @@
 //! Contact dynamics of a jammed box: a sweep for every set of modes, the setup of a step, and
-//! the residual. The front `contacts` shows speeds beside accuracy.
+//! the residual; lists of neighbours. The front `contacts` shows speeds beside accuracy.
 
 mod settings;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use nalgebra::Vector3;
+use std::f64::consts::PI;
 use std::hint::black_box;
 use tribos::cd::internals::{
     Accelerated, Coefficients, NoMonitor, Operator, Spheres, Visit, residual,
 };
 use tribos::cd::{World, WorldMaterials};
+use tribos::random::Random;
+use tribos::space::PeriodicBox;
+use tribos::space::pairs::Cells;
 use tribos_core::contact::{ContactFriction, IndependentFriction};
 use tribos_tests::packings::{dry, first_problem, jammed_box, rough};
 
@@ -20,6 +25,9 @@ const MU: [f64; 3] = [0.3, 0.1, 0.1];
 /// Residual of a solution before anything is timed.
 const CONVERGED: f64 = 1e-5;
 const MOST_SWEEPS: usize = 10_000;
+/// Share of space that the spheres of a list fill, and the gap of neighbours in smallest radii.
+const SOLID: f64 = 0.5;
+const SKIN: f64 = 0.1;
 
 /// The box solved, checked without the solver.
 fn solved<F: ContactFriction<f64> + Coefficients>(friction: F) -> Spheres<F> {
@@ -93,9 +101,36 @@ fn residuals(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// Lists of neighbours of a powder with equal volumes in each range of sizes up to a ratio, at a solid fraction of 0.5: the
+/// number of radii above r falls with r^-3.
+fn lists(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("list");
+    group.sample_size(10);
+    for ratio in [1.0_f64, 10.0, 100.0] {
+        for count in [1_000, 10_000, 100_000, 1_000_000] {
+            let mut random = Random::new(SEED, 0);
+            let radius = |share: f64| (1.0 - share * (1.0 - ratio.powi(-3))).powf(-1.0 / 3.0);
+            let radii: Vec<f64> = (0..count).map(|_| radius(random.unit())).collect();
+            let volume: f64 = radii.iter().map(|r| 4.0 / 3.0 * PI * r.powi(3)).sum();
+            let side = (volume / SOLID).cbrt();
+            let place = |_| Vector3::from_fn(|_, _| side * random.unit());
+            let positions: Vec<_> = (0..count).map(place).collect();
+            let mut cells = Cells::default();
+            group.throughput(Throughput::Elements(count));
+            group.bench_function(format!("{count} at 1:{ratio}"), |bencher| {
+                bencher.iter(|| {
+                    let found = cells.find(&PeriodicBox::OPEN, black_box(&positions), &radii, SKIN);
+                    found.expect("the places are finite").len()
+                });
+            });
+        }
+    }
+    group.finish();
+}
+
 criterion_group! {
     name = benches;
     config = settings::criterion();
-    targets = sweeps, assembly, residuals
+    targets = sweeps, assembly, residuals, lists
 }
 criterion_main!(benches);

@@ -13,7 +13,9 @@ pub mod powder;
 /// The scenes of all of them.
 pub mod scene {
     pub use crate::gas::scene::{GasMethod, GasScene};
-    pub use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene, SideBoundary};
+    pub use crate::grains::scene::{
+        Adhesion, Axis, Container, EndBoundary, GrainsScene, SideBoundary,
+    };
     pub use crate::packing::method::{ContactMethod, FrictionCoupling, NormalForce, WallLaw};
     pub use crate::powder::scene::{
         BlockedCriterion, PowderScene, SweepMethod, SweepOrder, SweepStop,

@@ -43,9 +43,9 @@ pub use tribos_base::scene::{InvalidScene, SceneError, SceneProblem};
 pub use tribos_grains::packing::Radii;
 pub use tribos_grains::packing::{SettingError, SizeDistribution};
 pub use tribos_grains::scene::{
-    Axis, BlockedCriterion, ContactMethod, Container, EndBoundary, FrictionCoupling, GasMethod,
-    GasScene, GrainsScene, NormalForce, PowderScene, SideBoundary, SweepMethod, SweepOrder,
-    SweepStop, WallLaw,
+    Adhesion, Axis, BlockedCriterion, ContactMethod, Container, EndBoundary, FrictionCoupling,
+    GasMethod, GasScene, GrainsScene, NormalForce, PowderScene, SideBoundary, SweepMethod,
+    SweepOrder, SweepStop, WallLaw,
 };
 pub use tribos_motion::scene::*;
 #[doc(hidden)]

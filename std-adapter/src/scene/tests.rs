@@ -42,10 +42,14 @@ fn beside(key: &str) -> String {
         "intruder_radius" => "intruder_position = \"0, 0, 1\"\n".into(),
         "intruder_position" => "intruder_radius = 0.01\n".into(),
         "average_from" => "duration = 10\n".into(),
+        "adhesion" => "surface_energy = 0.05\n".into(),
+        "poisson_ratio" => "young_modulus = 1e9\n".into(),
         _ => {
             let moved = key.strip_prefix("wall_stress_");
             let moved = moved.or(key.strip_prefix("wall_velocity_"));
-            moved.map_or(String::new(), |axis| format!("boundary_{axis} = \"walls\"\n"))
+            moved.map_or(String::new(), |axis| {
+                format!("boundary_{axis} = \"walls\"\n")
+            })
         }
     }
 }
@@ -102,8 +106,8 @@ fn every_key_sets_its_field() {
                 Need::PartOf(other, word) | Need::OnlyWith(other, word) => {
                     format!("{other} = \"{word}\"\n")
                 }
-                _ => beside(key.name),
-            };
+                _ => String::new(),
+            } + &beside(key.name);
             let text = format!("{rest}{condition}{} = {value}\n", key.name);
             let Ok(read) = Scene::parse("one.toml", &text, &[]) else {
                 // Values that other keys would have to follow.

@@ -58,11 +58,12 @@ pub fn with_present_names(keys: &[Key], defaults: &Value, values: &Value) -> Val
     };
     let named = |(name, value): (&String, &Value)| (present_name(keys, name).into(), value.clone());
     let mut present: Map<String, Value> = values.iter().map(named).collect();
-    for key in keys.iter().filter(|key| key.name != BODY.name && key.may_be_new()) {
+    for key in keys
+        .iter()
+        .filter(|key| key.name != BODY.name && key.may_be_new())
+    {
         if let Some(default) = defaults.get(key.name) {
-            present
-                .entry(key.name)
-                .or_insert_with(|| default.clone());
+            present.entry(key.name).or_insert_with(|| default.clone());
         }
     }
     Value::Object(present)

@@ -3,7 +3,7 @@
 use super::{
     EnergyBalance, Mesh, MovingMesh, StepLimits, Wall, World, WorldMaterials, WorldSetup, solid,
 };
-use crate::soft::{SoftSetup, SoftWorld, Stiffness};
+use crate::soft::{STEPS_PER_COLLISION, SoftSetup, SoftWorld, Stiffness};
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 use std::sync::Arc;
@@ -23,8 +23,8 @@ fn v(x: f64, y: f64, z: f64) -> V {
     V::new(x, y, z)
 }
 
-/// Balls of 1 cm and 10 g or so, on walls.
-struct Scene(WorldSetup<Friction>);
+/// Balls of 1 cm and 10 g or so, on walls, with so many steps of a soft collision.
+struct Scene(WorldSetup<Friction>, f64);
 
 struct End {
     positions: Vec<V>,
@@ -43,7 +43,7 @@ impl Scene {
             motion: 1e-3,
         };
         setup.solver.method = super::SolverMethod::Accelerated { tolerance: 1e-12 };
-        Self(setup)
+        Self(setup, STEPS_PER_COLLISION)
     }
 
     fn mesh(mut self, triangles: Vec<[V; 3]>) -> Self {
@@ -52,7 +52,7 @@ impl Scene {
     }
 
     fn wall(self, wall: Wall) -> Self {
-        Self(self.0.wall(wall))
+        Self(self.0.wall(wall), self.1)
     }
 
     fn ball(self, at: V, velocity: V, spin: V) -> Self {
@@ -61,7 +61,7 @@ impl Scene {
             spin,
             ..solid(0.01, 2500.0)
         };
-        Self(self.0.sphere(at, 0.01, ball))
+        Self(self.0.sphere(at, 0.01, ball), self.1)
     }
 
     /// A ball that keeps its velocity.
@@ -72,7 +72,7 @@ impl Scene {
             inv_inertia: 0.0,
             ..solid(0.01, 2500.0)
         };
-        Self(self.0.sphere(at, 0.01, ball))
+        Self(self.0.sphere(at, 0.01, ball), self.1)
     }
 
     /// The state after a time, and what `watch` sees after every step.
@@ -104,6 +104,7 @@ impl Scene {
                     walls: setup.walls,
                     mesh: setup.mesh,
                     gravity: setup.gravity,
+                    steps_per_collision: self.1,
                     ..SoftSetup::new(setup.laws, Stiffness::Linear(stiffness))
                 })
                 .unwrap();
@@ -250,22 +251,23 @@ fn with_hole(width: f64) -> Vec<[V; 3]> {
 #[test]
 fn a_ball_falls_through_a_larger_hole_and_rests_on_the_rim_of_a_smaller_one() {
     for soft in METHODS {
-        let drop = |width: f64| {
-            let scene = Scene::new(0.5).mesh(with_hole(width)).ball(
+        let drop = |width: f64, steps: f64| {
+            let mut scene = Scene::new(0.5).mesh(with_hole(width)).ball(
                 v(0.0, 0.0, 0.011),
                 V::zeros(),
                 V::zeros(),
             );
+            scene.1 = steps;
             scene.end(soft, 0.3)
         };
         // Free fall from 11 mm through a hole that is 1 % wider.
-        let through = drop(0.0202);
+        let through = drop(0.0202, STEPS_PER_COLLISION);
         let fallen = 0.011 - 0.5 * GRAVITY * 0.3 * 0.3;
         assert!((through.positions[0].z - fallen).abs() < 2e-3);
         // Implicit steps lose ½ m (g dt)² each, 1.5e-4 J, and a touch of the rim 1e-3 J.
         assert!(through.energy.normal < 2e-4 && through.energy.sliding == 0.0);
         // On the middles of four edges, 6 mm from the axis: √(10² − 6²) = 8 mm above.
-        let rests = drop(0.012);
+        let rests = drop(0.012, STEPS_PER_COLLISION);
         let strain = if soft.is_some() { 1e-6 } else { 2e-6 };
         assert!(
             (rests.positions[0] - v(0.0, 0.0, 0.008)).norm() < strain,
@@ -273,11 +275,10 @@ fn a_ball_falls_through_a_larger_hole_and_rests_on_the_rim_of_a_smaller_one() {
             rests.positions[0]
         );
         assert!(rests.spheres[0].velocity.norm() < 1e-6);
-        assert!(
-            balance(&rests, soft) < 1.0,
-            "{soft:?}: {}",
-            balance(&rests, soft)
-        );
+        // Four springs at once are 1.6 times as quick as one: 22 steps a collision in place of 35.
+        let finer = drop(0.012, 4.0 * STEPS_PER_COLLISION);
+        let errors = [&rests, &finer].map(|end| balance(end, soft));
+        assert!(errors[0] < 2.0 && errors[1] < 0.1, "{soft:?}: {errors:?}");
     }
 }
 

@@ -96,7 +96,7 @@ impl GrainsScene {
     pub fn material(&self) -> Material {
         Material {
             density: self.density,
-            cohesion: self.cohesion,
+            cohesion: self.pull_off(),
             cohesion_range: self.cohesion_range,
             attraction: self.attraction,
             restitution: self.restitution,

@@ -6,6 +6,7 @@ use crate::packing::method::{ContactMethod, FrictionCoupling, NormalForce, WallL
 use crate::packing::{
     COLUMNS, COLUMNS_ALONE, PackingColumns, Radii, SIZES, SettingError, SizeDistribution,
 };
+use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use tribos_base::record::brief;
@@ -175,6 +176,12 @@ scene! {
     mesh_centre: Coordinates = Coordinates([0.0; 3]), "m", COORDINATES;
     /// Cohesion F_coh: largest pull of a contact.
     cohesion: f64 = 0.0, "N", NotNegative;
+    /// Surface energy gamma of the grains, from which cohesion follows in place of `cohesion`: 4 pi gamma r_eff, or 3 pi gamma r_eff
+    /// with `adhesion` = "jkr"; r_eff is half the mean radius, for all pairs and at walls.
+    surface_energy: Option<f64> = None, "J/m^2", Positive;
+    /// Whose pull-off force follows from `surface_energy`: of stiff and small grains (Derjaguin, Muller, Toporov), or of soft
+    /// and large ones (Johnson, Kendall, Roberts).
+    adhesion: Adhesion = Adhesion::Dmt, "-", OneOf(Adhesion::WORDS);
     /// Gap up to which cohesion acts.
     cohesion_range: f64 = 0.0, "m", NotNegative;
     /// Cohesion at a gap: a constant pull, or a resistance to opening.
@@ -230,6 +237,11 @@ scene! {
     /// Stiffness of soft contacts: force over overlap.
     // A bead of 1 cm under its weight overlaps by a quarter of a thousandth of its radius.
     stiffness: f64 = 1e4, "N/m", Positive, PartOf("method", "soft");
+    /// Young's modulus of the grains, in place of `stiffness`: contacts are Hertz's with E* = young_modulus/(2 (1 - poisson_ratio^2)).
+    young_modulus: Option<f64> = None, "Pa", Positive, PartOf("method", "soft");
+    /// Poisson's ratio beside `young_modulus`.
+    // Of glass, steel and stone 0.2 to 0.3.
+    poisson_ratio: f64 = 0.25, "-", Between { above: -1.0, up_to: 0.5 }, PartOf("method", "soft");
     /// Damping ratio of soft contacts in all modes, unless `restitution` is above 0.
     damping_ratio was damping: f64 = 1.0, "-", NotNegative, PartOf("method", "soft");
     /// Elastic force of soft contacts: linear in the overlap, or Hertz's with the modulus `stiffness`/`radius`.
@@ -260,6 +272,26 @@ scene! {
     sample_every was samples: u64 = 50, "-", Count { from: 1.0, up_to: 1e9 };
     /// Time from which on means over time are taken; for each column the time after which it has settled if it is left out.
     average_from: Option<f64> = None, "s", NotNegative;
+}
+
+/// Whose law gives the pull-off force of two spheres of one surface energy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Adhesion {
+    /// Derjaguin, Muller and Toporov, J. Colloid Interface Sci. 53 (1975) 314: 2 π w r_eff, with w = 2 γ.
+    Dmt,
+    /// Johnson, Kendall and Roberts, Proc. R. Soc. A 324 (1971) 301: 3/2 π w r_eff.
+    Jkr,
+}
+words!(Adhesion { Dmt = "dmt", Jkr = "jkr" });
+
+impl Adhesion {
+    /// Pull-off force in γ r_eff.
+    fn pull_off(self) -> f64 {
+        match self {
+            Self::Dmt => 4.0 * PI,
+            Self::Jkr => 3.0 * PI,
+        }
+    }
 }
 
 /// Masses of a mean grain whose inertia and energies are numbers too.
@@ -328,6 +360,7 @@ fn rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
     }
     gravity_rule(scene, judge);
     bound_rules(scene, judge);
+    material_rules(scene, judge);
     if scene.method == ContactMethod::Soft {
         soft_rules(
             judge,
@@ -391,6 +424,25 @@ fn gravity_rule(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
     }
 }
 
+/// Cohesion and stiffness are given in one way.
+fn material_rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
+    if scene.surface_energy.is_some() && judge.is_given("cohesion") {
+        let message = "give `cohesion` or `surface_energy`, from which it follows, not both";
+        judge.refuse(&["cohesion", "surface_energy"], message);
+    }
+    if scene.young_modulus.is_none() {
+        return;
+    }
+    if judge.is_given("stiffness") {
+        let message = "give `stiffness` or `young_modulus`, not both";
+        judge.refuse(&["stiffness", "young_modulus"], message);
+    }
+    if scene.normal_law == NormalForce::Linear && judge.is_given("normal_law") {
+        let message = "`young_modulus` is of Hertz's law: leave out `normal_law` = \"linear\", or give `stiffness`";
+        judge.refuse(&["normal_law", "young_modulus"], message);
+    }
+}
+
 /// Glued grains, the intruder and the mesh must fit the box.
 fn bound_rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
     let is_open = scene.boundary_z == EndBoundary::Periodic || scene.container == Container::Drum;
@@ -437,15 +489,22 @@ fn bound_rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
 }
 
 /// A start stands in place of the keys of random grains, a distribution in place of the spread, restitution in
-/// place of damping.
+/// place of damping, surface energy in place of cohesion, Young's modulus in place of the stiffness.
 fn in_force(scene: &GrainsScene, key: &str, written: Option<Written>) -> Option<Written> {
     let starts = scene.initial_state.is_some();
+    if key == "normal_law" && scene.young_modulus.is_some() {
+        return Some(Written::Text(NormalForce::Hertz.word().into()));
+    }
     written.filter(|_| match key {
         "count" | "initial_spacing" => !starts,
         // A file may lack materials, which are drawn then.
         "seed" => !starts || scene.second_fraction > 0.0,
         "radius_spread" => scene.size_distribution.is_none() && !starts,
         "damping_ratio" => scene.restitution == 0.0,
+        "cohesion" => scene.surface_energy.is_none(),
+        "adhesion" => scene.surface_energy.is_some(),
+        "stiffness" => scene.young_modulus.is_none(),
+        "poisson_ratio" => scene.young_modulus.is_some(),
         _ => true,
     })
 }
@@ -471,7 +530,20 @@ impl GrainsScene {
     /// Normal spring of soft contacts.
     #[doc(hidden)]
     pub fn spring(&self) -> Stiffness {
-        self.normal_law.spring(self.stiffness, self.radius)
+        match self.young_modulus {
+            Some(young) => {
+                Stiffness::Hertz(0.5 * young / (1.0 - self.poisson_ratio * self.poisson_ratio))
+            }
+            None => self.normal_law.spring(self.stiffness, self.radius),
+        }
+    }
+
+    /// Largest pull of a contact.
+    pub(crate) fn pull_off(&self) -> f64 {
+        match self.surface_energy {
+            Some(gamma) => self.adhesion.pull_off() * gamma * 0.5 * self.radius,
+            None => self.cohesion,
+        }
     }
 
     /// Whether the grains stay in a plane.

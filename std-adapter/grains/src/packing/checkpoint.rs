@@ -78,11 +78,14 @@ impl<B: PackingBody<N>, const N: usize> PackingCheckpoint<B, N> {
         let steps = self.frozen.steps;
         let last = self.ending.is_some() && !steps.is_multiple_of(to.samples);
         let lines = 1 + steps / to.samples + u64::from(last);
-        let is_whole = |columns: &&usize| (**columns as u64).checked_mul(lines) == Some(self.series.len() as u64);
+        let is_whole = |columns: &&usize| {
+            (**columns as u64).checked_mul(lines) == Some(self.series.len() as u64)
+        };
         let columns = [N, B::FORMER_COLUMNS];
         let columns = columns.iter().find(is_whole);
         let &columns = columns.ok_or_else(|| damaged("series"))?;
-        let line = |numbers: &[f64]| array::from_fn(|i| numbers.get(i).copied().unwrap_or(f64::NAN));
+        let line =
+            |numbers: &[f64]| array::from_fn(|i| numbers.get(i).copied().unwrap_or(f64::NAN));
         Ok(self.series.chunks(columns).map(line).collect())
     }
 }
