@@ -51,7 +51,7 @@ struct Lammps {
     /// The folder of a powder, a tip, a sweep or a report is refused.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
-    /// Replace or add a key of the scene; may be repeated.
+    /// Replace or add a key of the scene, or leave one out (`KEY=`); may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
 }

@@ -45,7 +45,7 @@ pub struct Arguments {
     /// a powder, grains, a gas or a tip is refused: continue it with --resume or discard it with --anew.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
-    /// Replace or add a key of the scene; may be repeated.
+    /// Replace or add a key of the scene, or leave one out (`KEY=`); may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
     /// Powders, grains, gases and tips: continue from the checkpoint in DIR, to the same result as without the

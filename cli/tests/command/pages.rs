@@ -15,9 +15,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 /// Keys that cut a powder, and a tip, to a few steps.
-const SHORT: [(&str, &str); 9] = [
+const SHORT: [(&str, &str); 10] = [
     ("compaction-", " --set max_steps=2"),
     ("shear-cell", " --set max_steps=2"),
+    ("pressed", " --set max_steps=2"),
     ("column", " --set max_steps=2"),
     ("heap", " --set max_steps=2"),
     ("hopper", " --set max_steps=2"),

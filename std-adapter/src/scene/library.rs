@@ -50,6 +50,7 @@ pub const LIBRARY: &[LibraryScene] = library![
     "compaction-large",
     "compaction-4193",
     "shear-periodic",
+    "pressed",
     "compaction-soft",
     "gas-haff",
     "gas-clusters",

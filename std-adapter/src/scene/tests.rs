@@ -41,7 +41,6 @@ fn beside(key: &str) -> String {
     match key {
         "intruder_radius" => "intruder_position = \"0, 0, 1\"\n".into(),
         "intruder_position" => "intruder_radius = 0.01\n".into(),
-        "average_from" => "duration = 10\n".into(),
         "adhesion" => "surface_energy = 0.05\n".into(),
         "poisson_ratio" => "young_modulus = 1e9\n".into(),
         _ => {
@@ -82,8 +81,8 @@ fn every_key_sets_its_field() {
                 Domain::Path => "\"out/powder\"".into(),
                 Domain::Form(form) if form.name == "types" => "\"2, 3\"".into(),
                 Domain::Count { .. } => format!("{}", was.as_u64().unwrap_or(30) + 4),
-                Domain::Between { above, .. } if was.is_null() && above >= 0.8 => {
-                    format!("{}", above + 1.0)
+                Domain::Between { above, up_to } if was.is_null() => {
+                    format!("{}", 0.5 * (above + up_to.min(above + 2.0)))
                 }
                 _ => format!("{}", 0.98 * was.as_f64().unwrap_or(0.8) + 0.0017),
             };

@@ -89,6 +89,7 @@ fn without_the_date(page: &[u8]) -> Result<String, Error> {
 
 /// The report in the folder that TRIBOS_REPORT names, made by this program; or one made now.
 #[test]
+#[ignore = "some minutes; cargo test --release -p tribos-thesis --test thesis report -- --ignored"]
 fn the_whole_report_is_made_and_no_comparison_fails() -> Outcome {
     let made = tempfile::tempdir()?;
     let folder = match std::env::var_os("TRIBOS_REPORT") {

@@ -908,6 +908,14 @@ class GrainsScene(Scene):
         point. *Unit*: m. *Value*: three numbers such as "0, 0, 0.1".
     cohesion
         Cohesion F_coh: largest pull of a contact. *Unit*: N. *Value*: a finite number >= 0.
+    surface_energy
+        Surface energy gamma of the grains, from which cohesion follows in place of `cohesion`: 4 pi
+        gamma r_eff, or 3 pi gamma r_eff with `adhesion` = "jkr"; r_eff is half the mean radius, for
+        all pairs and at walls. *Unit*: J/m^2. *Value*: a finite number > 0.
+    adhesion
+        Whose pull-off force follows from `surface_energy`: of stiff and small grains (Derjaguin,
+        Muller, Toporov), or of soft and large ones (Johnson, Kendall, Roberts). *Value*: one of
+        "dmt", "jkr".
     cohesion_range
         Gap up to which cohesion acts. *Unit*: m. *Value*: a finite number >= 0.
     attraction
@@ -938,26 +946,32 @@ class GrainsScene(Scene):
         Angle by which gravity leans from -z towards x. *Unit*: degree. *Value*: a finite number, or
         a ramp such as "0:0, 0.5:1e3, 1:0".
     wall_stress_x
-        Stress on the wall at the far end of x, which moves as a piston. *Unit*: Pa. *Value*: a
-        finite number >= 0, or a ramp such as "0:0, 0.5:1e3, 1:0".
+        Stress on the wall at the far end of x, which moves as a piston; where x is periodic and
+        `method` is soft, on the box. *Unit*: Pa. *Value*: a finite number >= 0, or a ramp such as
+        "0:0, 0.5:1e3, 1:0".
     wall_stress_y
-        Stress on the wall at the far end of y, which moves as a piston. *Unit*: Pa. *Value*: a
-        finite number >= 0, or a ramp such as "0:0, 0.5:1e3, 1:0".
+        Stress on the wall at the far end of y, which moves as a piston; where y is periodic and
+        `method` is soft, on the box. *Unit*: Pa. *Value*: a finite number >= 0, or a ramp such as
+        "0:0, 0.5:1e3, 1:0".
     wall_stress_z
-        Stress on the plate above, which moves as a piston without weight. *Unit*: Pa. *Value*: a
-        finite number >= 0, or a ramp such as "0:0, 0.5:1e3, 1:0".
+        Stress on the plate above, which moves as a piston without weight; where z is periodic and
+        `method` is soft, on the box. *Unit*: Pa. *Value*: a finite number >= 0, or a ramp such as
+        "0:0, 0.5:1e3, 1:0".
     piston_mass
-        Mass of every piston; that of all grains together if it is left out. *Unit*: kg. *Value*: a
-        finite number > 0.
+        Mass of every piston, and of each axis of a box under a stress; that of all grains together
+        if it is left out. *Unit*: kg. *Value*: a finite number > 0.
     wall_velocity_x
-        Speed of the wall at the far end of x along x; negative compresses. *Unit*: m/s. *Value*: a
-        finite number, or a ramp such as "0:0, 0.5:1e3, 1:0".
+        Speed of the wall at the far end of x along x, or at which the period along x grows (soft
+        grains); negative compresses. *Unit*: m/s. *Value*: a finite number, or a ramp such as "0:0,
+        0.5:1e3, 1:0".
     wall_velocity_y
-        Speed of the wall at the far end of y along y; negative compresses. *Unit*: m/s. *Value*: a
-        finite number, or a ramp such as "0:0, 0.5:1e3, 1:0".
+        Speed of the wall at the far end of y along y, or at which the period along y grows (soft
+        grains); negative compresses. *Unit*: m/s. *Value*: a finite number, or a ramp such as "0:0,
+        0.5:1e3, 1:0".
     wall_velocity_z
-        Speed of the plate above along z; negative compresses. *Unit*: m/s. *Value*: a finite
-        number, or a ramp such as "0:0, 0.5:1e3, 1:0".
+        Speed of the plate above along z, or at which the period along z grows (soft grains);
+        negative compresses. *Unit*: m/s. *Value*: a finite number, or a ramp such as "0:0, 0.5:1e3,
+        1:0".
     lid_speed_x
         Speed of the plate above along x, which shears the grains. *Unit*: m/s. *Value*: a finite
         number, or a ramp such as "0:0, 0.5:1e3, 1:0".
@@ -982,6 +996,11 @@ class GrainsScene(Scene):
         "contact-dynamics", "soft".
     stiffness
         Stiffness of soft contacts: force over overlap. *Unit*: N/m. *Value*: a finite number > 0.
+    young_modulus
+        Young's modulus of the grains, in place of `stiffness`: contacts are Hertz's with E* =
+        young_modulus/(2 (1 - poisson_ratio^2)). *Unit*: Pa. *Value*: a finite number > 0.
+    poisson_ratio
+        Poisson's ratio beside `young_modulus`. *Value*: a number > -1 and <= 0.5.
     damping_ratio
         Damping ratio of soft contacts in all modes, unless `restitution` is above 0. *Value*: a
         finite number >= 0.
@@ -1047,8 +1066,8 @@ class GrainsScene(Scene):
     mu_mixed: float | None = None
     rough_floor: float | None = None
     rough_lid: float | None = None
-    fixed_kinds: float | str = "3"
-    driven_kinds: float | str = "4"
+    fixed_kinds: float | str = "7"
+    driven_kinds: float | str = "8"
     intruder_radius: float | None = None
     intruder_position: str | None = None
     driven_velocity_x: float | str = 0.0
@@ -1061,6 +1080,8 @@ class GrainsScene(Scene):
     mesh_axis: str = "0, 0, 1"
     mesh_centre: str = "0, 0, 0"
     cohesion: float = 0.0
+    surface_energy: float | None = None
+    adhesion: Literal["dmt", "jkr"] | None = None
     cohesion_range: float = 0.0
     attraction: Literal["pull", "resistance"] = "pull"
     restitution: float = 0.0
@@ -1087,6 +1108,8 @@ class GrainsScene(Scene):
     ramp_period: float | None = None
     method: Literal["contact-dynamics", "soft"] = "contact-dynamics"
     stiffness: float | None = None
+    young_modulus: float | None = None
+    poisson_ratio: float | None = None
     damping_ratio: float | None = None
     normal_law: Literal["linear", "hertz"] | None = None
     steps_per_collision: float | None = None

@@ -23,7 +23,7 @@ use std::path::PathBuf;
 pub struct Arguments {
     /// The scene: a TOML file, or a name that `tribos scene list` has.
     scene: PathBuf,
-    /// Replace or add a key of the scene; may be repeated.
+    /// Replace or add a key of the scene, or leave one out (`KEY=`); may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
     /// Folder of a finished run of this scene, for its energy balance.

@@ -22,7 +22,7 @@ pub struct Arguments {
     /// Scene file, or push-box, which comes with the program.
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// Replace or add a key of the scene; may be repeated.
+    /// Replace or add a key of the scene, or leave one out (`KEY=`); may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
     /// Output format of the answer.

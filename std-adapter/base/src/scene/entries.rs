@@ -56,8 +56,8 @@ pub struct Entries {
 }
 
 impl Entries {
-    /// Parses the file and puts the overrides over it; an override that cannot be read becomes a
-    /// problem. Of a file that is not TOML nothing else is judged: that is the only problem then.
+    /// Parses the file and puts the overrides over it; one without a value takes a key of the file away, and one that cannot
+    /// be read becomes a problem. Of a file that is not TOML nothing else is judged: that is the only problem then.
     pub fn parse(
         text: &str,
         overrides: &[String],
@@ -85,6 +85,7 @@ impl Entries {
         }
         for item in overrides {
             match item.split_once('=') {
+                Some((key, "")) if entries.values.remove(key.trim()).is_some() => {}
                 Some((key, value)) if !key.trim().is_empty() => {
                     let value = read_override(value.trim());
                     entries

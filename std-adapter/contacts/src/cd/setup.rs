@@ -285,7 +285,8 @@ pub(crate) fn keeps_motion(sphere: &SphereBody<f64>) -> bool {
     sphere.inv_mass == 0.0 && sphere.inv_inertia == 0.0
 }
 
-/// A solid sphere at rest.
+/// A solid sphere at rest. One whose mass is beyond all numbers has NaN in place of its inverse, which a world refuses: 0
+/// is that of a sphere that [keeps its motion](WorldSetup::spheres).
 ///
 /// ```
 /// use tribos::cd::solid;
@@ -296,6 +297,7 @@ pub(crate) fn keeps_motion(sphere: &SphereBody<f64>) -> bool {
 /// ```
 pub fn solid(radius: f64, density: f64) -> SphereBody<f64> {
     let mass = 4.0 / 3.0 * std::f64::consts::PI * (radius * radius * radius) * density;
+    let mass = if mass.is_finite() { mass } else { f64::NAN };
     SphereBody {
         velocity: Vector3::zeros(),
         spin: Vector3::zeros(),

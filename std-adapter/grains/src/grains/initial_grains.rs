@@ -43,15 +43,16 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<InitialSpheres, PackingRunEr
         .then(|| (scene.height.unwrap_or(0.0), "height"));
     let mut assembly = given(
         (path, scene.columns.as_ref()),
-        [x, y, z],
+        ([x, y, z], scene.deforms()),
         (scene.radius, scene.method),
         |kind| scene.holder(kind).is_some(),
     )?;
-    if scene.method == ContactMethod::Soft && assembly.space.offset() != 0.0 {
+    let is_driven = scene.shear_rate.is_some() || scene.deforms();
+    if scene.method == ContactMethod::Soft && assembly.space.offset() != 0.0 && !is_driven {
         return Err(AssemblyError::Content {
             file: path.display().to_string(),
-            reason: "its cell leans along x over z, and springs know no sheared images; \
-                     set method = \"contact-dynamics\""
+            reason: "its cell leans along x over z, and springs know sheared images where `shear_rate`, a stress or a \
+                     speed drives the box; give one, or set method = \"contact-dynamics\""
                 .into(),
         }
         .into());
@@ -60,6 +61,11 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<InitialSpheres, PackingRunEr
     let mut start = InitialSpheres {
         positions: assembly.positions.clone(),
         radii: assembly.radii.clone(),
+        periods: if scene.deforms() {
+            assembly.space.lengths()
+        } else {
+            [None; 3]
+        },
         kinds: Kinds::given(
             &assembly,
             (scene.seed, scene.second_fraction),

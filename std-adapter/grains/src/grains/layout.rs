@@ -4,6 +4,7 @@ use super::container;
 use super::wall::{AxisEnd, InitialWall, WallId, inward};
 use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene, SideBoundary};
 use crate::packing::{InitialSpheres, Packing};
+use std::array;
 use tribos_base::space::{PeriodicBox, SpaceError};
 use tribos_contacts::cd::Wall;
 
@@ -42,6 +43,7 @@ impl Layout {
             _ => height(scene, start),
         };
         let lengths = [scene.width, scene.box_depth(), height];
+        let lengths = array::from_fn(|axis| start.periods[axis].unwrap_or(lengths[axis]));
         let is_drum = scene.container == Container::Drum;
         let repeats = [
             scene.boundary_x == SideBoundary::Periodic && !is_drum,

@@ -77,6 +77,7 @@ pub(super) fn start(
     Ok(InitialSpheres {
         positions,
         radii,
+        periods: [None; 3],
         kinds: Kinds::of(&is_second, &scene.material(), &scene.differences()),
         contacts: Vec::new(),
         frozen: None,

@@ -569,6 +569,14 @@ impl GrainsScene {
         }
     }
 
+    /// Whether a stress or a speed changes the lengths of a periodic box.
+    pub(super) fn deforms(&self) -> bool {
+        let driven = |axis: &Axis| self.pressure(*axis).is_some() || self.velocity(*axis).is_some();
+        let all = [Axis::X, Axis::Y, Axis::Z];
+        all.iter()
+            .any(|axis| self.is_periodic(*axis) && driven(axis))
+    }
+
     /// Whether the scene adds bodies that no force moves.
     fn has_bound(&self) -> bool {
         self.rough_floor.is_some()

@@ -24,6 +24,8 @@ const MEAN_RADII: [f64; 2] = [0.5, 2.0];
 pub struct InitialSpheres {
     pub(crate) positions: Vec<Vector3<f64>>,
     pub(crate) radii: Vec<f64>,
+    /// Periods of a file that hold in place of the scene's lengths, because the box deforms from there on.
+    pub(crate) periods: [Option<f64>; 3],
     pub(crate) kinds: Kinds,
     pub(crate) contacts: Vec<ContactRow>,
     /// Motion, walls and forces of spheres that a file or another run has.
@@ -39,10 +41,11 @@ pub(crate) fn deepest(method: ContactMethod) -> f64 {
 }
 
 /// Spheres with the periods of a scene; `periods` has the lengths of its periodic axes with their keys, `radius` is
-/// the mean radius that it expects of those that move, and `is_bound` tells types that no force moves.
+/// the mean radius that it expects of those that move, and `is_bound` tells types that no force moves. A box that deforms
+/// goes on from the periods of the file.
 pub(crate) fn given(
     (path, columns): (&Path, Option<&PackingColumns>),
-    periods: [Option<(f64, &'static str)>; 3],
+    (periods, deforms): ([Option<(f64, &'static str)>; 3], bool),
     (radius, method): (f64, ContactMethod),
     is_bound: impl Fn(u8) -> bool,
 ) -> Result<Assembly, AssemblyError> {
@@ -61,7 +64,7 @@ pub(crate) fn given(
             continue;
         };
         match assembly.space.lengths()[axis] {
-            Some(period) if (period / length - 1.0).abs() > SAME_PERIOD => {
+            Some(period) if !deforms && (period / length - 1.0).abs() > SAME_PERIOD => {
                 let name = AXES[axis];
                 return Err(refused(format!(
                     "its period along {name} is {period}, and `{key}` is {length}; set {key} = {period}"

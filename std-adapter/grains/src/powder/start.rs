@@ -25,6 +25,7 @@ pub(super) fn start(
     let start = InitialSpheres {
         positions: deposit.positions.clone(),
         radii: deposit.radii.clone(),
+        periods: [None; 3],
         kinds: scene.kinds(deposit.radii.len()),
         contacts: deposit.contacts(),
         frozen: None,
@@ -37,7 +38,7 @@ fn read(scene: &PowderScene, path: &Path) -> Result<(Deposit, InitialSpheres), A
     let width = Some((scene.width, "width"));
     let mut assembly = given(
         (path, scene.columns.as_ref()),
-        [width, width, None],
+        ([width, width, None], false),
         (1.0, scene.method),
         |_| false,
     )?;
@@ -76,6 +77,7 @@ fn read(scene: &PowderScene, path: &Path) -> Result<(Deposit, InitialSpheres), A
     let start = InitialSpheres {
         positions: frozen.positions.clone(),
         radii: assembly.radii,
+        periods: [None; 3],
         kinds,
         contacts,
         frozen: Some(frozen),
