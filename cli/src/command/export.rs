@@ -27,6 +27,17 @@ pub struct Arguments {
 #[derive(Debug, clap::Subcommand)]
 enum Program {
     /// LAMMPS: a tip, a powder or grains of soft spheres, the bodies at the start and the input script.
+    ///
+    /// Of a scene with body = "tip": tip.data and in.tip. Run it with `lmp -in in.tip` in the folder; its first lines
+    /// write energies and forces of the start to compare with ours: start.dump.
+    ///
+    /// Of a scene with body = "powder" and method = "soft": powder.data, the spheres at rest, and in.powder, which needs the
+    /// pair style gran/tribos: a plugin, engines/lammps. It runs until the piston stands and writes porosity.txt.
+    ///
+    /// Of a scene with body = "grains" and method = "soft": grains.data, the grains with their velocities, and in.grains, the
+    /// same box, loads, hopper or drum, glued and driven grains with the same plugin. It runs for the duration and writes
+    /// series.txt. What LAMMPS cannot hold, such as `mesh`, is refused; what it holds approximately is printed and stands
+    /// at the head of the script.
     Lammps(Lammps),
     /// ParaView: a run as trajectory.pvd, a collection of trajectory/<step>.vtp.
     Vtk(Trajectory),
@@ -38,16 +49,7 @@ enum Program {
     Problem(problem::Step),
 }
 
-/// Of a scene with body = "tip": tip.data and in.tip. Run it with `lmp -in in.tip` in the folder; its first lines
-/// write energies and forces of the start to compare with ours: start.dump.
-///
-/// Of a scene with body = "powder" and method = "soft": powder.data, the spheres at rest, and in.powder, which needs the
-/// pair style gran/tribos: a plugin, engines/lammps. It runs until the piston stands and writes porosity.txt.
-///
-/// Of a scene with body = "grains" and method = "soft": grains.data, the grains with their velocities, and in.grains, the
-/// same box, loads, hopper or drum, glued and driven grains with the same plugin. It runs for the duration and writes
-/// series.txt. What LAMMPS cannot hold, such as `mesh`, is refused; what it holds approximately is printed and stands
-/// at the head of the script.
+/// What to export, and where.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 struct Lammps {
