@@ -12,7 +12,6 @@ use crate::grains::layout::Layout;
 use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene};
 use crate::packing::export::{head, laws};
 use crate::packing::{InitialSpheres, OptionalFeatures, PackingBody, Springs};
-use nalgebra::Vector3;
 use std::f64::consts::TAU;
 use tribos_base::record::{brief, number};
 use tribos_contacts::cd::Wall;
@@ -45,11 +44,11 @@ impl<'a> Script<'a> {
         springs: &'a Springs,
     ) -> Self {
         let mut walls = body.bodies(start, &OptionalFeatures::default()).walls;
-        // Pistons of a run that goes on stand where they were.
+        // Pistons of a run that goes on are where they were, and move as they did.
         if let Some(frozen) = &start.frozen {
             let pistons = walls.iter_mut().zip(&frozen.walls);
-            for (wall, (place, _)) in pistons.filter(|(wall, _)| wall.plate.inv_mass > 0.0) {
-                wall.place = *place;
+            for (wall, (place, velocity)) in pistons.filter(|(wall, _)| wall.plate.inv_mass > 0.0) {
+                (wall.place, wall.plate.velocity) = (*place, *velocity);
             }
         }
         let kinds = (1..=9).filter(|kind| start.kinds.materials.contains(kind));
@@ -291,10 +290,9 @@ impl<'a> Script<'a> {
                 "The springs across the contacts of the start are new, without force.".into(),
             );
         }
-        let has_piston = self.walls.iter().any(|wall| wall.plate.inv_mass > 0.0);
-        let moves = |(_, velocity): &(f64, Vector3<f64>)| velocity.norm() > 0.0;
-        if has_piston && frozen.is_some_and(|frozen| frozen.walls.iter().any(moves)) {
-            self.notes.push("Pistons start at rest.".into());
+        if self.walls.iter().any(|wall| wall.plate.inv_mass > 0.0) {
+            self.notes
+                .push("kinetic of series.txt is that of the grains, without pistons.".into());
         }
         if self.scene.is_flat() {
             self.notes.push(

@@ -54,7 +54,10 @@ impl Script<'_> {
             AxisEnd::High => [scene.pressure(axis), scene.velocity(axis)],
         };
         match load {
-            [Some(_), _] => {}
+            [Some(_), _] => {
+                let along = axis.index();
+                velocity[along] = Quantity::Number(wall.plate.velocity[along]);
+            }
             [None, Some(speed)] => velocity[axis.index()] = clock.value(speed),
             [None, None] => velocity = [Axis::X, Axis::Y, Axis::Z].map(|axis| self.swing(axis)),
         }
