@@ -6,6 +6,7 @@ mod trajectory;
 use self::trajectory::Trajectory;
 use crate::failure::Failure;
 use std::path::{Path, PathBuf};
+use tribos::grains;
 use tribos::powder;
 use tribos::record::trajectory::Format;
 use tribos::record::write_atomically;
@@ -25,7 +26,18 @@ pub struct Arguments {
 /// Programs.
 #[derive(Debug, clap::Subcommand)]
 enum Program {
-    /// LAMMPS: a tip or a powder of soft spheres, the bodies at the start and the input script.
+    /// LAMMPS: a tip, a powder or grains of soft spheres, the bodies at the start and the input script.
+    ///
+    /// Of a scene with body = "tip": tip.data and in.tip. Run it with `lmp -in in.tip` in the folder; its first lines
+    /// write energies and forces of the start to compare with ours: start.dump.
+    ///
+    /// Of a scene with body = "powder" and method = "soft": powder.data, the spheres at rest, and in.powder, which needs the
+    /// pair style gran/tribos: a plugin, engines/lammps. It runs until the piston stands and writes porosity.txt.
+    ///
+    /// Of a scene with body = "grains" and method = "soft": grains.data, the grains with their velocities, and in.grains, the
+    /// same box, loads, hopper or drum, glued and driven grains with the same plugin. It runs for the duration and writes
+    /// series.txt. What LAMMPS cannot hold, such as `mesh`, is refused; what it holds approximately is printed and stands
+    /// at the head of the script.
     Lammps(Lammps),
     /// ParaView: a run as trajectory.pvd, a collection of trajectory/<step>.vtp.
     Vtk(Trajectory),
@@ -37,11 +49,7 @@ enum Program {
     Problem(problem::Step),
 }
 
-/// Of a scene with body = "tip": tip.data and in.tip. Run it with `lmp -in in.tip` in the folder; its first lines
-/// write energies and forces of the start to compare with ours: start.dump.
-///
-/// Of a scene with body = "powder" and method = "soft": powder.data, the spheres at rest, and in.powder, which needs the
-/// pair style gran/tribos: a plugin, engines/lammps. It runs until the piston stands and writes porosity.txt.
+/// What to export, and where.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 struct Lammps {
@@ -64,7 +72,8 @@ Examples:
   tribos export problem out/powder --step 2
   tribos export lammps scenes/tip-irreversible.toml --out out/lammps
   cd out/lammps && lmp -in in.tip
-  tribos export lammps compaction-soft --out out/powder-lammps";
+  tribos export lammps compaction-soft --out out/powder-lammps
+  tribos export lammps hopper --set method=soft --out out/hopper-lammps";
 
 impl Arguments {
     /// Writes.
@@ -87,40 +96,43 @@ fn is_same(one: &Path, other: &Path) -> bool {
 impl Lammps {
     fn write(self) -> Result<(), Failure> {
         let scene = super::scene::read(&self.scene, &self.overrides)?;
-        let (names, texts) = match scene {
-            Scene::Tip(scene) => {
-                let files = tip::export::start(&scene).map_err(Failure::input)?;
-                (["tip.data", "in.tip"], [files.data, files.script])
-            }
-            Scene::Powder(scene) => {
-                let files = powder::export::start(&scene).map_err(Failure::input)?;
-                (["powder.data", "in.powder"], [files.data, files.script])
-            }
+        let files = match scene {
+            Scene::Tip(scene) => tip::export::start(&scene).map_err(Failure::input)?,
+            Scene::Powder(scene) => powder::export::start(&scene).map_err(Failure::input)?,
+            Scene::Grains(scene) => grains::export::start(&scene).map_err(Failure::input)?,
             _ => {
                 return Err(Failure::input(format!(
-                    "{}: only scenes with body = \"tip\", and with body = \"powder\" and method = \"soft\", are exported",
+                    "{}: only scenes with body = \"tip\", and with body = \"powder\" or \"grains\" and method = \"soft\", are \
+                     exported",
                     self.scene.display()
                 )));
             }
         };
-        let contents = Contents::of("export", &names);
+        let names = [format!("{}.data", files.name), format!("in.{}", files.name)];
+        let files_of = names.each_ref().map(String::as_str);
+        let contents = Contents::of("export", &files_of);
         let _folder = OutputFolder::begin(&self.out, &contents)?;
-        for (name, text) in names.iter().zip(&texts) {
+        for (name, text) in names.iter().zip([&files.data, &files.script]) {
             write_atomically(&self.out.join(name), text.as_bytes())?;
         }
-        let plugin = match names {
-            [_, "in.powder"] => [
+        let plugin = if files.script.contains("plugin load") {
+            [
                 " -var plugin PATH/tribosplugin.so",
                 "; the plugin is that of engines/lammps",
-            ],
-            _ => ["", ""],
+            ]
+        } else {
+            ["", ""]
         };
-        super::print(&format!(
+        let mut said = format!(
             "written to    {}; run it there with `lmp -in {}{}`{}\n",
             self.out.display(),
             names[1],
             plugin[0],
             plugin[1],
-        ))
+        );
+        for note in &files.notes {
+            said += &format!("differs       {note}\n");
+        }
+        super::print(&said)
     }
 }

@@ -266,9 +266,9 @@ fn a_soft_powder_is_exported_for_lammps_and_starts_a_run_of_ours() -> Outcome {
         &[
             "read_data powder.data",
             "pair_coeff * * hooke 1000.0 damping 1.0 sliding 0.3 coupling exact torsion 0.2 torsion/spring inertia \
-             rolling 0.1 cohesion 1 0.01\n",
+             rolling 0.1 cohesion 1.0 0.01\n",
             "fix weight all gravity 0.001 vector 0 0 -1\n",
-            "fix walls all wall/gran/tribos hooke 1000.0 damping 1.0 cohesion 1 0.01 zlo 0 zhi ",
+            "fix walls all wall/gran/tribos hooke 1000.0 damping 1.0 cohesion 1.0 0.01 zlo 0 zhi ",
             // The load on 64 R² and the mass of the piston.
             " piston 0.64 100.0\n",
         ],

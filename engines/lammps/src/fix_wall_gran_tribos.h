@@ -11,11 +11,12 @@
 
 #include "fix.h"
 
+#include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
 
-// Plane walls, fixed, moving or driven by a force, with the law of pair gran/tribos.
+// Walls with the law of pair gran/tribos: planes, fixed, moving or driven by a force, and surfaces of regions.
 class FixWallGranTribos : public Fix {
  public:
   FixWallGranTribos(class LAMMPS *, int, char **);
@@ -42,26 +43,54 @@ class FixWallGranTribos : public Fix {
   double memory_usage() override;
 
  private:
+  // A number, or the equal-style variable that gives it at every step.
+  struct Value {
+    double number = 0;
+    std::string variable;
+  };
+
   struct Wall {
+    std::string region_id;       // of a wall that is the surface of a region; empty: a plane
+    class Region *region = nullptr;
     int axis = 0;
     double side = 1;             // 1: grains lie above the plane along the axis; -1: below
     bool at_edge = false;        // follows the side of the box
     double position = 0;
     tribos::Vec3 velocity;
     bool driven = false;         // moves along its axis under `push` and the grains
-    double push = 0, mass = 0;   // push towards the grains
+    double before = 0;           // velocity across at the step before
+    Value follows[3];            // velocities
+    Value push;                  // towards the grains
+    double mass = 0;
     tribos::Vec3 force;          // of the grains on the wall
+  };
+
+  // Where a grain meets a wall.
+  struct Meeting {
+    int wall;
+    int64_t partner;             // of its springs
+    double overlap;
+    tribos::Vec3 normal, before; // towards the wall, now and a step ago
+    tribos::Vec3 velocity, spin; // of the wall there
   };
 
   int parse_wall(int narg, char **arg, int iarg);
   double number(int narg, char **arg, int iarg, const char *of) const;
-  void touch(int atom, int wall, double overlap, tribos::Contact &) const;
+  Value value(int narg, char **arg, int iarg, const char *of) const;
+  double now(const Value &) const;
+  void follow();
+  void meet_plane(int atom, int wall);
+  void meet_region(int atom, int wall, bool advances);
+  void touch(int atom, const Meeting &, tribos::Contact &) const;
   void collect(tribos::ContactBlock &, bool advances);
   void accelerate(double dt);
 
   tribos::ContactLaw law;
   std::vector<Wall> walls;
+  std::vector<Meeting> met;    // of one grain
   tribos::ContactStore store;
+  int most = 0;            // contacts of a grain with the walls
+  bool varies = false;     // a velocity or a push follows a variable
   bool changed = false;    // the law is another one than in the restart file
 };
 

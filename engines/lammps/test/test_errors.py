@@ -40,6 +40,11 @@ CASES = [
     (LAW + "fix w all wall/gran/tribos hooke 3 zlo 0 speed 1", "unknown option 'speed' of wall zlo"),
     (LAW + "fix w all wall/gran/tribos hooke 3 zhi 4 piston 1 0", "the mass must be positive"),
     (LAW + "fix w all wall/gran/tribos hooke 3 zhi EDGE piston 1 1", "cannot move and stay at the EDGE"),
+    (LAW + "fix w all wall/gran/tribos hooke 3 region", "the ID after 'region' is missing"),
+    (LAW + "fix w all wall/gran/tribos hooke 3 region slope", "there is no region slope"),
+    (LAW + "variable r equal 1+time\nregion b sphere 1 1 1 v_r\nfix w all wall/gran/tribos hooke 3 region b",
+     "region b changes its shape"),
+    (LAW + "fix w all wall/gran/tribos hooke 3 zlo 0 velocity 0 0 v_lift", "there is no equal-style variable lift"),
     (LAW + "fix w all TRIBOS/HISTORY 3", "is made by pair style gran/tribos"),
     ("pair_style hybrid gran/tribos gran/tribos", "There can be one pair style gran/tribos only"),
 ]

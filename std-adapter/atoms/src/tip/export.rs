@@ -10,12 +10,13 @@ use crate::md::pair::Shift;
 use crate::md::system::Integrator;
 use crate::tip::scene::{DriveKind, DrivenHold, StageSteps, ThermostatKind, TipScene};
 use nalgebra::Vector3;
+pub use tribos_base::exchange::lammps::Export;
 use tribos_base::record::number;
 
 /// Room above and below the atoms in the box of the files, in σ.
 const ROOM: f64 = 10.0;
 
-/// A data file and an input script.
+/// The start of a scene's run: `tip.data`, with a type for each [`AtomRole`], and `in.tip`.
 ///
 /// ```
 /// use tribos::md::lammps::read_data;
@@ -41,21 +42,14 @@ const ROOM: f64 = 10.0;
 /// assert_eq!(data(&scene, &atoms.positions, &atoms.velocities, &setup.group_of), files.data);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct Export {
-    /// Atoms at the start, with a type for each [`AtomRole`], and their velocities.
-    pub data: String,
-    /// Potential, groups, stages; reads the data as `tip.data`.
-    pub script: String,
-}
-
-/// The start of a scene's run.
 pub fn start(scene: &TipScene) -> Result<Export, TipError> {
     let TipSystem { setup, .. } = build(scene)?;
     let atoms = &setup.atoms;
     Ok(Export {
+        name: "tip",
         data: data(scene, &atoms.positions, &atoms.velocities, &setup.group_of),
         script: script(scene),
+        notes: Vec::new(),
     })
 }
 

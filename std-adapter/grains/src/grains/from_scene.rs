@@ -1,10 +1,10 @@
 //! What a scene of grains says of its packing: material, method, steps and first velocities.
 
 use crate::grains::scene::GrainsScene;
+pub(super) use crate::packing::export::volume;
 use crate::packing::method::ContactMethod;
 use crate::packing::{ContactKeys, Material, Method, SecondMaterialKeys, Springs};
 use nalgebra::Vector3;
-use std::f64::consts::PI;
 use tribos_base::random::Random;
 use tribos_contacts::cd::{ContactSolver, SolverMethod as Sweeps, StepLimits};
 
@@ -12,11 +12,6 @@ use tribos_contacts::cd::{ContactSolver, SolverMethod as Sweeps, StepLimits};
 const VELOCITIES: u64 = 3;
 /// A share of the duration that no step exceeds.
 const STEPS: f64 = 100.0;
-
-/// Volume of a sphere.
-pub(super) fn volume(radius: f64) -> f64 {
-    4.0 / 3.0 * PI * radius * radius * radius
-}
 
 impl GrainsScene {
     /// What the scene says of the contacts.

@@ -37,7 +37,7 @@ pub type GrainsSimulation = PackingRun<GrainsBody, { COLUMNS.len() }>;
 #[derive(Debug)]
 pub struct GrainsBody {
     scene: GrainsScene,
-    layout: Layout,
+    pub(super) layout: Layout,
     loads: Loads,
     mesh: Option<MovingMesh>,
 }

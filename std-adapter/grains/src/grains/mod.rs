@@ -8,6 +8,8 @@ mod bound;
 mod bound_tests;
 mod container;
 mod cost;
+#[doc(hidden)]
+pub mod export;
 mod from_scene;
 mod grains_body;
 mod initial_grains;

@@ -78,6 +78,11 @@ impl Ramp {
         sum
     }
 
+    /// Pairs of time and value.
+    pub(super) fn knots(&self) -> &[[f64; 2]] {
+        &self.knots
+    }
+
     /// Smallest and largest value.
     pub fn range(&self) -> [f64; 2] {
         let values = || self.knots.iter().map(|[_, value]| *value);

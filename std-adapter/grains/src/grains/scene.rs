@@ -561,7 +561,7 @@ impl GrainsScene {
     }
 
     /// Whether space repeats along an axis.
-    fn is_periodic(&self, axis: Axis) -> bool {
+    pub(crate) fn is_periodic(&self, axis: Axis) -> bool {
         match axis {
             Axis::X => self.boundary_x == SideBoundary::Periodic,
             Axis::Y => self.boundary_y == SideBoundary::Periodic,

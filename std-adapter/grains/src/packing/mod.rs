@@ -10,6 +10,7 @@ mod body;
 mod checkpoint;
 mod cost;
 mod energy;
+pub(crate) mod export;
 mod initial_state;
 mod kinds;
 mod last;

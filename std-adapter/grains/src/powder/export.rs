@@ -3,17 +3,16 @@
 use super::blocked::{LOAD_DEVIATION, PISTON_MOTION, window_time};
 use super::deposit::Deposit;
 use super::start;
-use crate::packing::PackingRunError;
-use crate::packing::method::{FrictionCoupling, WallLaw};
-use crate::packing::{Kinds, Material, Method, Springs, stable_step_between};
+pub use crate::packing::export::ExportError;
+use crate::packing::export::{LARGEST_FORCE, head, laws, mass, stable_step, volume};
+use crate::packing::{Kinds, Method, PackingRunError, Springs};
 use crate::powder::scene::PowderScene;
 use nalgebra::Vector3;
-use std::f64::consts::PI;
 use std::ops::ControlFlow;
+pub use tribos_base::exchange::lammps::Export;
 use tribos_base::exchange::lammps::{SphereRows, sphere_data_file};
 use tribos_base::record::number;
 use tribos_contacts::cd::Wall;
-use tribos_contacts::soft::Stiffness;
 
 /// Room above the piston and below the substrate in the box of the files, in R.
 const ROOM: f64 = 2.0;
@@ -21,13 +20,9 @@ const ROOM: f64 = 2.0;
 const SKIN: f64 = 0.2;
 /// Lines of thermodynamic output in a window.
 const LINES: u64 = 4;
-/// Largest force of a contact, over that of the load and the weight on R². The mean at the walls of the thesis'
-/// powders, of which 35 % are solid, is 9; single forces exceed it several times.
-const LARGEST_FORCE: f64 = 100.0;
-/// Most spheres at a wall, times the square of the radius over the area: disks in hexagonal order, 1/(2 √3).
-const CLOSEST: f64 = 0.288_675_134_594_812_9;
 
-/// A data file and an input script.
+/// The start of a scene's run: `powder.data`, the spheres at rest, and `in.powder`, laws, walls and the run until the piston
+/// stands.
 ///
 /// ```
 /// use tribos::powder::export::{Export, start};
@@ -45,45 +40,6 @@ const CLOSEST: f64 = 0.288_675_134_594_812_9;
 /// assert!(start(&PowderScene { method: ContactMethod::ContactDynamics, ..soft }).is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct Export {
-    /// Spheres at the start, at rest.
-    pub data: String,
-    /// Laws, walls and the run until the piston stands; reads the data as `powder.data`.
-    pub script: String,
-}
-
-/// Why a scene is not exported.
-#[derive(Debug)]
-pub enum ExportError {
-    /// Rigid spheres have no springs that LAMMPS could integrate.
-    Rigid,
-    /// The spheres cannot be made or read.
-    Start(PackingRunError),
-}
-
-impl std::fmt::Display for ExportError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Rigid => write!(
-                f,
-                "LAMMPS integrates springs: export the scene with method = \"soft\", or `--set method=soft`"
-            ),
-            Self::Start(error) => write!(f, "{error}"),
-        }
-    }
-}
-
-impl std::error::Error for ExportError {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
-        match self {
-            Self::Rigid => None,
-            Self::Start(error) => Some(error),
-        }
-    }
-}
-
-/// The start of a scene's run.
 pub fn start(scene: &PowderScene) -> Result<Export, ExportError> {
     let Method::Soft(springs) = scene.contact_method() else {
         return Err(ExportError::Rigid);
@@ -95,58 +51,40 @@ pub fn start(scene: &PowderScene) -> Result<Export, ExportError> {
     let (deposit, spheres) =
         start::start(scene, |_| ControlFlow::Continue(())).map_err(ExportError::Start)?;
     let kinds = &spheres.kinds;
-    let stable = stable_step(scene, &springs, (&deposit, kinds));
+    let stable = longest_step(scene, &springs, (&deposit, kinds));
     Ok(Export {
+        name: "powder",
         data: data(scene, (&deposit, kinds)),
-        script: script(scene, &deposit, stable.min(scene.max_time_step)),
+        script: script(scene, (&deposit, &springs), stable.min(scene.max_time_step)),
+        notes: Vec::new(),
     })
 }
 
-/// A step that is stable during the whole run: for the smallest sphere, the largest force and a piston on as many
-/// spheres as find room.
-fn stable_step(
+/// A step that is stable during the whole run.
+fn longest_step(
     scene: &PowderScene,
     springs: &Springs,
     (deposit, kinds): (&Deposit, &Kinds),
 ) -> f64 {
-    let smallest = deposit.radii.iter().copied().fold(f64::INFINITY, f64::min);
     let area = scene.width * scene.width;
-    let weighed = deposit.radii.iter().zip(&kinds.densities);
-    let mass: f64 = weighed
-        .map(|(radius, density)| density * volume(*radius))
-        .sum();
-    let pressure = scene.pressure + scene.gravity * mass / area;
-    let touching = (CLOSEST * area / (smallest * smallest)).ceil() as usize;
+    let pressure = scene.pressure + scene.gravity * mass(&deposit.radii, kinds) / area;
     let piston = Wall::piston(
         -Vector3::z(),
         -deposit.height,
         scene.piston_mass,
         scene.load(),
     );
-    // The lightest sphere is the quickest.
-    let material = Material {
-        density: kinds
-            .densities
-            .iter()
-            .copied()
-            .fold(f64::INFINITY, f64::min),
-        ..scene.material()
-    };
-    stable_step_between(
-        (springs, &material),
-        (smallest, LARGEST_FORCE * pressure),
-        (&[piston], &[touching.min(deposit.radii.len())]),
+    stable_step(
+        (springs, &scene.material()),
+        (&deposit.radii, kinds),
+        LARGEST_FORCE * pressure,
+        &[(piston, area)],
     )
 }
 
 /// Volume of the spheres.
 fn solid(deposit: &Deposit) -> f64 {
     deposit.radii.iter().map(|radius| volume(*radius)).sum()
-}
-
-/// Volume of a sphere.
-fn volume(radius: f64) -> f64 {
-    4.0 / 3.0 * PI * radius * radius * radius
 }
 
 /// Spheres with their materials as types and their densities as a data file.
@@ -167,46 +105,10 @@ fn data(scene: &PowderScene, (deposit, kinds): (&Deposit, &Kinds)) -> String {
     })
 }
 
-/// The law of the spheres, and that of substrate and piston, in the words of the pair style.
-fn laws(scene: &PowderScene) -> [String; 2] {
-    let spring = match scene.spring() {
-        Stiffness::Linear(k) => format!("hooke {}", number(k)),
-        Stiffness::Hertz(modulus) => format!("hertz {}", number(modulus)),
-    };
-    let ratio = if scene.restitution > 0.0 {
-        Stiffness::damping_ratio_of(scene.restitution)
-    } else {
-        scene.damping_ratio
-    };
-    let spring = format!("{spring} damping {}", number(ratio));
-    let coupling = match scene.coupling {
-        FrictionCoupling::Independent => "separate",
-        FrictionCoupling::Ellipsoid => "ellipsoid",
-        FrictionCoupling::Exact => "exact",
-    };
-    let [sliding, torsion, rolling, range] = [
-        scene.mu,
-        scene.mu_torsion,
-        scene.mu_rolling,
-        scene.cohesion_range,
-    ]
-    .map(number);
-    let friction = format!(
-        "sliding {sliding} coupling {coupling} torsion {torsion} torsion/spring inertia rolling {rolling}"
-    );
-    let cohesion = format!("cohesion 1 {range}");
-    let full = format!("{spring} {friction} {cohesion}");
-    let wall = match scene.wall_contact {
-        WallLaw::Full => full.clone(),
-        WallLaw::Smooth => format!("{spring} {cohesion}"),
-        WallLaw::Bare => spring,
-    };
-    [full, wall]
-}
-
 /// The input script.
-fn script(scene: &PowderScene, deposit: &Deposit, time_step: f64) -> String {
-    let [spheres, walls] = laws(scene);
+fn script(scene: &PowderScene, (deposit, springs): (&Deposit, &Springs), time_step: f64) -> String {
+    let [spheres, walls] = laws(&scene.material(), springs);
+    let [run, plugin] = head("powder");
     let window = (window_time(scene.piston_mass, scene.load()) / time_step).ceil() as u64;
     // As long as the run may take here: `max_steps` steps of `max_time_step`, or `duration`.
     let most = scene.max_steps as f64 * scene.max_time_step;
@@ -233,18 +135,13 @@ fn script(scene: &PowderScene, deposit: &Deposit, time_step: f64) -> String {
     ]
     .map(number);
     format!(
-        "# A powder under a piston, written by `tribos export lammps`. Run it in this folder:\n\
-         #\n\
-         #   mpiexec -np 2 lmp -in in.powder -var plugin PATH/tribosplugin.so\n\
-         #\n\
-         # The plugin belongs to engines/lammps of Tribos. LAMMPS splits a path with spaces: set LD_LIBRARY_PATH to\n\
-         # the folder of the plugin and leave -var out. The run ends when the piston stands under its load, and\n\
+        "# A powder under a piston, written by `tribos export lammps`. The run ends when the piston stands under its load, and\n\
          # writes porosity.txt, powder.restart and the spheres at the end as end.dump.\n\
+         {run}\n\
          #\n\
          # Units: lengths in R, the mean radius; forces in F_coh, the cohesion; densities in rho, that of the spheres;\n\
          # times in sqrt(rho R^4/F_coh).\n\n\
-         variable plugin index tribosplugin.so\n\
-         plugin load ${{plugin}}\n\
+         {plugin}\
          shell rm -f porosity.txt\n\n\
          units lj\natom_style sphere\ncomm_modify vel yes\nboundary p p f\n\
          # The spheres at rest.\n\

@@ -12,5 +12,5 @@ pub use data::read_spheres;
 pub use dump::sphere_frames;
 pub use dump::{frames, last_frame};
 #[doc(hidden)]
-pub use write::{SphereRows, sphere_data_file};
+pub use write::{Export, SphereRows, sphere_data_file};
 pub use write::{data_file, dump_frame};

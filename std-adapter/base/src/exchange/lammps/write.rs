@@ -5,6 +5,19 @@ use crate::record::number;
 use nalgebra::Vector3;
 use std::fmt::Write as _;
 
+/// What LAMMPS runs a scene from: a data file and an input script.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Export {
+    /// What runs, the stem of both files: `NAME.data` and `in.NAME`.
+    pub name: &'static str,
+    /// Bodies at the start.
+    pub data: String,
+    /// Laws, walls and the run; reads the data as `NAME.data`.
+    pub script: String,
+    /// What LAMMPS holds only approximately, a sentence each.
+    pub notes: Vec<String>,
+}
+
 /// A data file. Positions are not wrapped into the box; velocities are omitted if all are 0. The
 /// step, the periods and the forces are not written.
 ///
