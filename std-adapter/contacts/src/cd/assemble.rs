@@ -207,9 +207,11 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         let surface = |([a, b], touch): &PairGeometry| {
             let at_mesh = *b as usize >= state.walls.len();
             let point = state.positions[*a as usize] + touch.normal * touch.arms[0];
-            at_mesh
-                .then(|| pose.surface(&self.setup.space, &point))
-                .unwrap_or_default()
+            if at_mesh {
+                pose.surface(&self.setup.space, &point)
+            } else {
+                Surface::default()
+            }
         };
         walls.iter().map(surface).collect()
     }

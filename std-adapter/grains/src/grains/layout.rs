@@ -29,10 +29,8 @@ pub(super) fn height(scene: &GrainsScene, start: &InitialSpheres) -> f64 {
     let top = free
         .map(|((x, radius), _)| x.z + radius)
         .fold(0.0, f64::max);
-    scene.height.unwrap_or_else(|| match scene.rough_lid {
-        Some(radius) => top + radius,
-        None => top,
-    })
+    let glued = scene.rough_lid.unwrap_or(0.0);
+    scene.height.unwrap_or(top + glued)
 }
 
 impl Layout {
