@@ -39,22 +39,22 @@ pub enum AxisControl {
 /// use tribos::soft::{AxisControl, CellControl, SoftSetup, SoftWorld, Stiffness};
 /// use tribos::space::PeriodicBox;
 /// let laws = WorldMaterials::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::none());
-/// // Eight spheres of radius 1 at the corners of a cube, pressed to touch their neighbours by 1 kPa along each axis.
+/// // 27 spheres of radius 1 in rows, pressed to touch their neighbours by 1 kPa along each axis.
 /// let mut setup = SoftSetup::new(laws, Stiffness::Linear(1e5));
-/// setup.space = PeriodicBox::new([Some(4.1); 3])?;
-/// for corner in 0..8 {
-///     let place = [0, 1, 2].map(|axis| if corner >> axis & 1 == 1 { 3.0 } else { 1.0 });
+/// setup.space = PeriodicBox::new([Some(6.15); 3])?;
+/// for site in 0..27 {
+///     let place = [1, 3, 9].map(|stride| 1.0 + 2.05 * f64::from(site / stride % 3));
 ///     setup = setup.sphere(Vector3::from(place), 1.0, solid(1.0, 1.0));
 /// }
 /// setup.cell = Some(CellControl { axes: [AxisControl::Stress(1e3); 3], shear_rate: 0.0, mass: 30.0 });
 /// let mut world = SoftWorld::new(setup)?;
-/// while world.state().time < 20.0 {
+/// while world.state().time < 1.0 {
 ///     world.step()?;
 /// }
-/// // Each of the four contacts across a face carries a quarter of P L².
+/// // Each of the nine contacts across a face carries a ninth of P L².
 /// let [length, ..] = world.state().space.lengths().map(|length| length.unwrap_or(0.0));
-/// let overlap = 2.0 - 0.5 * length;
-/// assert!((1e5 * overlap - 0.25 * 1e3 * length * length).abs() < 1.0);
+/// let overlap = 2.0 - length / 3.0;
+/// assert!((1e5 * overlap - 1e3 * length * length / 9.0).abs() < 1.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
