@@ -331,6 +331,14 @@ fn arrays(py: Python<'_>, frame: Frame) -> PyResult<Bound<'_, PyDict>> {
     let places = PyArray1::from_vec(py, places).reshape([frame.places.len(), 3])?;
     all.set_item("positions", places)?;
     all.set_item("speeds", PyArray1::from_vec(py, frame.speeds))?;
+    for (name, vectors) in [
+        ("velocities", &frame.velocities),
+        ("tangential_forces", &frame.tangential),
+    ] {
+        let numbers: Vec<f32> = vectors.iter().flatten().copied().collect();
+        let array = PyArray1::from_vec(py, numbers).reshape([vectors.len(), 3])?;
+        all.set_item(name, array)?;
+    }
     let pairs: Vec<i64> = frame
         .contacts
         .iter()

@@ -1,7 +1,8 @@
 //! Measures of a packing as figures.
 
 use crate::figure::{Axis, Figure, Panels, ReferenceLine, Series};
-use tribos::measure::{Measures, Table};
+use tribos::measure::{Layer, LayerProfile, Measures, Table};
+use tribos::statistics::TimeAverage;
 
 /// The figures of a state with the names of their files.
 pub fn figures(measures: &Measures) -> Vec<(&'static str, Figure)> {
@@ -44,6 +45,30 @@ pub fn series(table: &Table) -> Panels {
         .figure(panel(4, "anisotropy of the fabric"))
         .figure(panel(10, "mean length of force chains"))
         .figure(panel(14, "buckled triples of force chains"))
+}
+
+/// The profile of a flow: velocity, solid fraction, stress and temperature of the layers, with standard errors.
+pub fn layers(profile: &LayerProfile) -> Panels {
+    let axis = ["x", "y", "z"][profile.axis];
+    let across = format!("stress {axis}{axis}");
+    let of = |label: &str, mean: &dyn Fn(&Layer) -> TimeAverage| {
+        let layers = || {
+            profile
+                .layers
+                .iter()
+                .filter(|layer| mean(layer).mean.is_finite())
+        };
+        let middle = |layer: &Layer| 0.5 * (layer.ends[0] + layer.ends[1]);
+        let points = layers().map(|layer| (middle(layer), mean(layer).mean));
+        let errors = layers().map(|layer| mean(layer).error);
+        let line = Series::line_points("", points.collect()).errors(errors.collect());
+        Figure::new("", Axis::linear(axis), Axis::linear(label)).series(line)
+    };
+    Panels::new("", 2)
+        .figure(of("velocity x", &|layer| layer.velocity[0]))
+        .figure(of("solid fraction", &|layer| layer.solid_fraction))
+        .figure(of(&across, &|layer| layer.stress[profile.axis]))
+        .figure(of("granular temperature", &|layer| layer.temperature))
 }
 
 /// Two columns of a table.

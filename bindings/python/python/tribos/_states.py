@@ -22,7 +22,7 @@ Indices = NDArray[np.int64]
 class Frame:
     """A state of a run as its film keeps it. *Units*: those of the run.
 
-    *Accuracy*: positions to half a 65535th of the box's side, speeds and forces to 2⁻⁸ of their size.
+    *Accuracy*: positions to half a 65535th of the box's side, velocities and forces to 2⁻⁸ of each component.
     """
 
     step: int
@@ -41,10 +41,14 @@ class Frame:
     """Radii, shape (n,)."""
     speeds: NDArray[np.float32]
     """Speeds, shape (n,)."""
+    velocities: NDArray[np.float32]
+    """Velocities, shape (n, 3); (0, 3) of a tip and of films of earlier versions."""
     contacts: Indices
     """Pairs in contact, shape (m, 2): a sphere and its partner, -1 - w for wall w."""
     normal_forces: NDArray[np.float32]
     """Normal forces, shape (m,): positive for pressure, negative for a pull."""
+    tangential_forces: NDArray[np.float32]
+    """Forces across the contacts on the partners, shape (m, 3); (0, 3) of films of earlier versions."""
     holds: NDArray[np.uint8]
     """Bits of the modes at their thresholds, shape (m,): 1 slides, 2 rolls, 4 spins, 128 open."""
 

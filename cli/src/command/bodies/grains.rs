@@ -167,6 +167,8 @@ impl LongBody for GrainsScene {
 }
 
 /// Columns that a run tells as means over time, with their labels and units.
+/// Share of the mass that a hopper keeps from which on it is told.
+const LEFT: f64 = 0.01;
 const MEANS: [(&str, &str, &str); 4] = [
     ("solid_fraction", "solid fraction", ""),
     ("floor_force", "floor", " N"),
@@ -210,12 +212,23 @@ fn means(scene: &GrainsScene, outcome: &GrainsSummary) -> String {
     }
     if let Some(flow) = outcome.flow {
         text += &format!("discharged    {} kg", shown(outcome.end.discharged));
-        if flow.rate.is_finite() {
+        if flow.rate > 0.0 {
             let rate = with_error(flow.rate, flow.error);
             let [from, until] = [flow.from, flow.until].map(shown);
             text += &format!(", {rate} kg/s from {from} to {until} s");
+            if flow.error.is_nan() {
+                text += "; a smaller `sample_every` gives the rate an error";
+            }
         }
         text += "\n";
+        let share = flow.left / outcome.mass;
+        if share > LEFT {
+            let [left, last] = [flow.left, flow.last].map(shown);
+            let percent = 100.0 * share;
+            text += &format!(
+                "left          {left} kg, {percent:.0} %; the last flowed out at {last} s\n"
+            );
+        }
     }
     text
 }

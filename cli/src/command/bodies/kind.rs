@@ -10,6 +10,8 @@ pub struct RunKind {
     pub quantities: Vec<SweptQuantity>,
     /// The one that is drawn.
     pub drawn: usize,
+    /// The one that it is drawn over, in place of a key.
+    pub over: Option<usize>,
     /// What the drawing is called.
     pub title: String,
     /// A word of the summary whose share is told: column, place, word.
@@ -22,36 +24,38 @@ impl RunKind {
         let mut columns = quantities.iter().map(|known| known.column);
         Self {
             drawn: columns.position(|column| column == view.drawn).unwrap_or(0),
+            over: None,
             title: view.title.to_owned(),
             share: view.share,
             quantities,
         }
     }
 
-    /// The same with a column that is drawn in place of the usual one.
-    pub fn drawing(mut self, column: &str) -> Result<Self, Failure> {
-        let found = self
-            .quantities
-            .iter()
-            .position(|known| known.column == column);
-        let Some(drawn) = found else {
-            let mut columns = self
-                .quantities
-                .iter()
-                .map(|known| known.column)
-                .collect::<Vec<_>>();
-            columns.sort_unstable();
-            let columns = columns.join(", ");
-            return Err(Failure::input(format!(
-                "--plot {column}: the sweep has no such column; give one of {columns}"
-            )));
+    /// The same with a column that is drawn in place of the usual one, `COLUMN` or `COLUMN:OVER` with the one below it.
+    pub fn drawing(mut self, columns: &str) -> Result<Self, Failure> {
+        let (column, over) = match columns.split_once(':') {
+            Some((column, over)) => (column, Some(over)),
+            None => (columns, None),
         };
-        self.drawn = drawn;
-        self.title = match self.quantities[drawn].error {
+        self.drawn = self.place(column)?;
+        self.over = over.map(|over| self.place(over)).transpose()?;
+        self.title = match self.quantities[self.drawn].error {
             Some(_) => format!("{}, mean over time", column.replace('_', " ")),
             None => column.replace('_', " "),
         };
         Ok(self)
+    }
+
+    fn place(&self, column: &str) -> Result<usize, Failure> {
+        let names = || self.quantities.iter().map(|known| known.column);
+        names().position(|known| known == column).ok_or_else(|| {
+            let mut columns = names().collect::<Vec<_>>();
+            columns.sort_unstable();
+            let columns = columns.join(", ");
+            Failure::input(format!(
+                "--plot {column}: the sweep has no such column; give one of {columns}"
+            ))
+        })
     }
 
     /// Whether one table can hold the results of both.
@@ -65,9 +69,9 @@ impl RunKind {
         self.title == other.title && columns(self) == columns(other)
     }
 
-    /// Label of the axis of the drawn quantity.
-    pub fn axis(&self) -> String {
-        let drawn = self.quantities.get(self.drawn);
+    /// Label of the axis of a quantity.
+    pub fn axis(&self, quantity: usize) -> String {
+        let drawn = self.quantities.get(quantity);
         drawn.map_or(String::new(), |drawn| {
             drawn.labelled(&drawn.column.replace('_', " "))
         })

@@ -4,13 +4,13 @@ mod over_time;
 mod report;
 
 use super::number;
-use super::packing::ColumnsOption;
+use super::packing::SpheresSource;
 use crate::failure::Failure;
 use over_time::MeansOverTime;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-use tribos::measure::{Assembly, AssemblyError, KnownForces, MeasureOptions, Measures, Table};
+use tribos::measure::{AssemblyError, KnownForces, LayerProfile, MeasureOptions, Measures, Table};
 use tribos::record::{write_atomically, write_series};
 use tribos::run::folder::{Contents, OutputFolder};
 use tribos_report::image;
@@ -23,24 +23,23 @@ use tribos_report::runs::measure as figures;
 /// has no forces: its contacts are those of the geometry.
 ///
 /// Of a run of grains it also tells the means over time of the columns of its series with their standard errors: from
-/// where each has settled, or from --average-from on; the latter of any run.
+/// where each has settled, or from --average-from on; the latter of any run. With --frames the profiles of a flow are
+/// means over time in layers: solid fraction, velocity, granular temperature and stress, each with its standard error.
 ///
 /// With --out it writes measures.json, a table (.csv) and a figure (.svg and .png) of each measure. Lengths,
 /// forces and stresses are in the units of the packing; those of a powder are R, F_coh and F_coh/R^2.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct Arguments {
-    /// The folder of a run, or a file of spheres.
-    #[arg(value_name = "RUN|FILE")]
-    source: PathBuf,
     #[command(flatten)]
-    columns: ColumnsOption,
+    source: SpheresSource,
     /// Folder for the results, created if missing. Results of an earlier command in it are removed first;
     /// files that tribos did not write are never replaced. The folder of a run is refused.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Measure also every frame of the run, or of a file with many, as a series over the steps; with the
-    /// bending of the force chains from frame to frame. Frames have normal forces only.
+    /// Measure also every frame of the run, or of a file with many: as a series over the steps, with the bending of the
+    /// force chains from frame to frame, and, where velocities are known, as means over time in layers across --axis, from
+    /// --average-from or the middle of the record on. Frames have forces to 0.4 %.
     #[arg(long)]
     frames: bool,
     /// Largest distance of the pair correlation [default: ten mean radii, or what the box allows].
@@ -56,10 +55,10 @@ pub struct Arguments {
     /// Fewest contacts of a sphere that is no rattler.
     #[arg(long, value_name = "N", default_value = "2")]
     least_contacts: usize,
-    /// Number of slices of the porosity profile.
+    /// Number of slices of the profiles.
     #[arg(long, value_name = "N", default_value = "20", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     slices: u32,
-    /// Axis of the porosity profile.
+    /// Axis of the profiles.
     #[arg(long, value_enum, default_value = "z")]
     axis: Axis,
     /// Largest gap of contacts, in mean radii, where no forces are known [default: 0.001].
@@ -68,9 +67,6 @@ pub struct Arguments {
     /// Density of all spheres, for the stress of their motion, where forces are known [default: their own].
     #[arg(long, value_name = "DENSITY", value_parser = number::positive, allow_negative_numbers = true)]
     density: Option<f64>,
-    /// Periods along x, y and z, with - for an open axis, where the file does not say them.
-    #[arg(long, value_name = "X,Y,Z", value_parser = periods)]
-    periods: Option<Periods>,
     /// Time from which on means over time are taken, in the unit of the run [default: for each column that after which it
     /// has settled].
     #[arg(long, value_name = "TIME", value_parser = number::not_negative, allow_negative_numbers = true)]
@@ -93,10 +89,6 @@ enum Format {
     Json,
 }
 
-/// Periods of the axes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Periods(pub [Option<f64>; 3]);
-
 const EXAMPLES: &str = "\
 Examples:
   Means over time of a flow, with their errors:
@@ -109,7 +101,7 @@ Examples:
     tribos measure out/powder/final.xyz --gap 0.01 --format json";
 
 /// Files that --out gets.
-const FILES: [&str; 20] = [
+const FILES: [&str; 23] = [
     "measures.json",
     "pair-correlation.csv",
     "pair-correlation.svg",
@@ -130,6 +122,9 @@ const FILES: [&str; 20] = [
     "series.csv",
     "series.svg",
     "averages.csv",
+    "layers.csv",
+    "layers.svg",
+    "layers.png",
 ];
 
 /// An angle from 0 to 90 degrees.
@@ -142,55 +137,34 @@ fn angle(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Three lengths, each a number > 0 or `-`.
-pub fn periods(text: &str) -> Result<Periods, String> {
-    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
-    let &[x, y, z] = parts.as_slice() else {
-        return Err("give three periods, such as 20,20,-".into());
-    };
-    let period = |part: &str| match part {
-        "-" => Ok(None),
-        length => number::positive(length).map(Some),
-    };
-    Ok(Periods([period(x)?, period(y)?, period(z)?]))
-}
-
 impl Arguments {
     /// Measures, writes and prints.
     pub fn execute(self) -> Result<(), Failure> {
         let options = self.options();
-        let state = self.periodic(Assembly::read_as(
-            &self.source,
-            self.columns.columns.as_ref(),
-        )?)?;
+        let state = self.source.read()?;
         if state.radii.is_empty() {
             return Err(Failure::input(format!(
                 "{}: there is no sphere",
-                self.source.display()
+                self.source.path.display()
             )));
         }
         self.refuse_idle(state.forces)?;
         let measures = Measures::of(state, &options).map_err(Failure::input)?;
         let averages = self.averages(&measures.assembly.scene)?;
-        let over_time = self.series(&options)?;
+        let frames = self.frames(&options)?;
         let mut summary = measures.json();
         if let Some(averages) = &averages {
             summary["averages"] = averages.json();
         }
         let summary = format!("{summary:#}\n");
         if let Some(out) = &self.out {
-            write(
-                out,
-                &measures,
-                (over_time.as_ref(), averages.as_ref()),
-                &summary,
-            )?;
+            write(out, &measures, (&frames, averages.as_ref()), &summary)?;
         }
         match self.format {
             Format::Json => super::print(&summary),
             Format::Text => super::print(&report::text(
                 &measures,
-                (over_time.as_ref(), averages.as_ref()),
+                (&frames, averages.as_ref()),
                 self.out.as_deref(),
             )),
         }
@@ -202,7 +176,7 @@ impl Arguments {
             return Ok(None);
         }
         let of_scene = scene["average_from"].as_f64();
-        MeansOverTime::read(&self.source, self.average_from, of_scene)
+        MeansOverTime::read(&self.source.path, self.average_from, of_scene)
     }
 
     /// Refuses options that would change nothing.
@@ -228,7 +202,7 @@ impl Arguments {
         match idle.into_iter().find(|(_, is_idle, _)| *is_idle) {
             Some((option, _, reason)) => Err(Failure::input(format!(
                 "{option} has no effect: the contacts of {} {reason}",
-                self.source.display()
+                self.source.path.display()
             ))),
             None => Ok(()),
         }
@@ -252,46 +226,55 @@ impl Arguments {
         }
     }
 
-    /// The spheres with the given periods.
-    fn periodic(&self, state: Assembly) -> Result<Assembly, Failure> {
-        match self.periods {
-            Some(Periods(periods)) => {
-                Ok(state.with_periods(&self.source.display().to_string(), periods)?)
-            }
-            None => Ok(state),
-        }
-    }
-
     /// All frames, if they are wanted.
-    fn series(&self, options: &MeasureOptions) -> Result<Option<Table>, Failure> {
+    fn frames(&self, options: &MeasureOptions) -> Result<Frames, Failure> {
         if !self.frames {
-            return Ok(None);
+            return Ok(Frames::default());
         }
-        let mut states = Vec::new();
-        for (step, state) in Assembly::read_all_as(&self.source, self.columns.columns.as_ref())? {
-            states.push((step, self.periodic(state)?));
-        }
-        let (count, mut done, mut last) = (states.len(), 0, Instant::now());
-        let table = Measures::series(states, options, |step| {
+        let (steps, states) = self.source.read_all()?;
+        let of_scene = states
+            .last()
+            .and_then(|state| state.scene["average_from"].as_f64());
+        let layers = (options.axis, options.slices);
+        let layers = LayerProfile::of(&states, layers, self.average_from.or(of_scene));
+        let (count, mut done, mut last) = (steps.len(), 0, Instant::now());
+        let states = steps.into_iter().zip(states);
+        let series = Measures::series(states, options, |step| {
             done += 1;
             if last.elapsed() >= Duration::from_secs(1) {
                 last = Instant::now();
                 super::note(format_args!("frame {done} of {count}, step {step}"));
             }
         });
-        table.map(Some).map_err(Failure::input)
+        Ok(Frames {
+            series: Some(series.map_err(Failure::input)?),
+            layers,
+        })
     }
+}
+
+/// What the frames of a run show.
+#[derive(Default)]
+struct Frames {
+    series: Option<Table>,
+    layers: Option<LayerProfile>,
 }
 
 /// Writes the tables and figures, and at last the summary.
 fn write(
     out: &Path,
     measures: &Measures,
-    (over_time, averages): (Option<&Table>, Option<&MeansOverTime>),
+    (frames, averages): (&Frames, Option<&MeansOverTime>),
     summary: &str,
 ) -> Result<(), Failure> {
     let folder = OutputFolder::begin(out, &Contents::of("measure", &FILES))?;
-    for table in measures.tables().iter().chain(over_time) {
+    let layers = frames.layers.as_ref().map(LayerProfile::table);
+    for table in measures
+        .tables()
+        .iter()
+        .chain(&frames.series)
+        .chain(&layers)
+    {
         let rows = table.rows.iter().map(Vec::as_slice);
         let name = format!("{}.csv", table.name);
         write_series(&out.join(name), table.columns, rows)?;
@@ -300,7 +283,10 @@ fn write(
         folder.check()?;
         image::write_both(out, name, &figure)?;
     }
-    if let Some(table) = over_time {
+    if let Some(layers) = &frames.layers {
+        image::write_both(out, "layers", &figures::layers(layers))?;
+    }
+    if let Some(table) = &frames.series {
         let drawing = figures::series(table).svg()?;
         write_atomically(&out.join("series.svg"), drawing.as_bytes())?;
     }

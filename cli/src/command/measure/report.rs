@@ -1,19 +1,22 @@
 //! Measures as a few lines for the person at the terminal.
 
+use super::Frames;
 use super::over_time::MeansOverTime;
-use crate::command::digits::shown;
+use crate::command::digits::{shown, with_error};
 use std::path::Path;
-use tribos::measure::{KnownForces, Measures, Table};
+use tribos::measure::{KnownForces, LayerProfile, Measures};
+use tribos::statistics::TimeAverage;
 
 /// The lines.
 pub fn text(
     measures: &Measures,
-    (over_time, averages): (Option<&Table>, Option<&MeansOverTime>),
+    (frames, averages): (&Frames, Option<&MeansOverTime>),
     out: Option<&Path>,
 ) -> String {
     let assembly = &measures.assembly;
     let from = match assembly.forces {
         KnownForces::Complete => "with their forces",
+        KnownForces::Rounded => "with forces to 0.4 %",
         KnownForces::Normal => "with normal forces only",
         KnownForces::Unknown => "of the geometry, without forces",
     };
@@ -48,13 +51,37 @@ pub fn text(
     text += &loads(measures);
     text += &necks(measures);
     text += &averages.map_or(String::new(), MeansOverTime::text);
-    if let Some(table) = over_time {
+    if let Some(table) = &frames.series {
         text += &format!("frames        {}\n", table.rows.len());
     }
+    text += &frames.layers.as_ref().map_or(String::new(), layers);
     if let Some(out) = out {
         text += &format!("written to    {}\n", out.display());
     }
     text
+}
+
+/// The profile of a flow: middle of each layer, solid fraction, velocity along x and stress across the layers.
+fn layers(profile: &LayerProfile) -> String {
+    let axis = ["x", "y", "z"][profile.axis];
+    let across = profile.axis;
+    let mut text = format!(
+        "layers from   {:>12}  {:>20}  {:>22}  stress_{axis}{axis}\n",
+        format!("middle {axis}"),
+        "solid fraction",
+        "velocity x"
+    );
+    for layer in &profile.layers {
+        let value = |mean: &TimeAverage| with_error(mean.mean, mean.error);
+        let middle = shown(0.5 * (layer.ends[0] + layer.ends[1]));
+        let [solid, velocity] = [&layer.solid_fraction, &layer.velocity[0]].map(value);
+        let stress = value(&layer.stress[across]);
+        text += &format!(
+            "{:<13} {middle:>12}  {solid:>20}  {velocity:>22}  {stress}\n",
+            ""
+        );
+    }
+    text.replacen("from  ", &format!("from {}", shown(profile.from)), 1)
 }
 
 /// Stress, forces and force chains, as far as they are known.

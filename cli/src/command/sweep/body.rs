@@ -34,6 +34,11 @@ impl Body {
         self.0.json()["seed"].as_u64()
     }
 
+    /// Whether it goes on from a state that is given.
+    pub fn starts_from(&self) -> bool {
+        self.0.json()["initial_state"].is_string()
+    }
+
     /// What a table is made of.
     pub fn kind(&self) -> RunKind {
         bodies::of(&self.0).kind()

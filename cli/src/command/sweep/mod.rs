@@ -78,8 +78,9 @@ pub struct Arguments {
     /// Make the tables of a sweep whose parts are finished; missing runs are listed.
     #[arg(long, value_name = "DIR", conflicts_with = "scene")]
     merge: Option<PathBuf>,
-    /// Draw this column of sweep.csv, over two keys as lines; with --merge also of a sweep that is done.
-    #[arg(long, value_name = "COLUMN", conflicts_with_all = ["part", "slurm"])]
+    /// Draw this column of sweep.csv, over two keys as lines, or as COLUMN:OVER over another column; with --merge also of a
+    /// sweep that is done.
+    #[arg(long, value_name = "COLUMN[:OVER]", conflicts_with_all = ["part", "slurm"])]
     plot: Option<String>,
     /// Write a job array for Slurm, DIR/job.sh, and run nothing.
     #[arg(long, requires = "scene")]

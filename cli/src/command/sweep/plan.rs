@@ -183,8 +183,14 @@ impl Plan {
             return Err(Failure::input(message));
         }
         if self.seeds > 1 && first.seed().is_none() {
-            let message =
-                "--seeds: this body has no seed, every run of it is the same; leave --seeds out";
+            let message = match first.starts_from() {
+                true => {
+                    "--seeds: what starts from `initial_state` has no seed; give several states as its values"
+                }
+                false => {
+                    "--seeds: this body has no seed, every run of it is the same; leave --seeds out"
+                }
+            };
             return Err(Failure::input(message));
         }
         Ok(())

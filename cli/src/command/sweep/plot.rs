@@ -9,35 +9,48 @@ use tribos_report::image;
 use tribos_report::surface::Surface;
 
 /// Draws a surface over two keys with several numbers each, or `as_lines` over the first one for each number of the
-/// second; a line over one key; nothing if there are more of them, or keys with several words.
+/// second; a line over one key, or over another column; nothing if there are more of them, or keys with several words, and
+/// says so.
 pub fn write(grid: &Grid, table: &Table, as_lines: bool, out: &Path) -> Result<(), Failure> {
     let several = |at: &usize| grid.keys[*at].values.len() > 1;
     let varied: Vec<usize> = (0..grid.keys.len()).filter(several).collect();
+    let (kind, title) = (table.kind(), table.kind().title.as_str());
+    let label = kind.axis(kind.drawn);
+    let drawn = |combination| table.drawn(kind.drawn, combination);
+    if let Some(over) = kind.over {
+        let xs: Vec<f64> = (0..grid.len()).map(|at| table.drawn(over, at).0).collect();
+        let figure = Figure::new(title, Axis::linear(kind.axis(over)), Axis::linear(label));
+        return Ok(
+            image::write_both(out, "sweep", &figure.series(line("", &xs, drawn))).map(drop)?,
+        );
+    }
     let numbers: Option<Vec<Vec<f64>>> = varied.iter().map(|&at| grid.keys[at].numbers()).collect();
-    let (title, label) = (table.kind().title.as_str(), table.kind().axis());
     let name = |at: usize| Axis::linear(grid.keys[varied[at]].key.clone());
     let figure = || Figure::new(title, name(0), Axis::linear(label.clone()));
     match numbers.as_deref() {
         Some([xs]) => {
-            let figure = figure().series(line("", xs, |index| table.drawn(index)));
+            let figure = figure().series(line("", xs, drawn));
             image::write_both(out, "sweep", &figure)?;
         }
         Some([xs, ys]) if as_lines => {
             let second = &grid.keys[varied[1]];
             let curves = second.values.iter().enumerate().map(|(j, value)| {
                 let label = format!("{} = {value}", second.key);
-                line(&label, xs, |i| table.drawn(i * ys.len() + j))
+                line(&label, xs, |i| drawn(i * ys.len() + j))
             });
             image::write_both(out, "sweep", &curves.fold(figure(), Figure::series))?;
         }
         Some([xs, ys]) => {
             // Combinations count the second key first.
-            let at = |i: usize, j: usize| table.drawn(i * ys.len() + j);
+            let at = |i: usize, j: usize| drawn(i * ys.len() + j);
             let axes = [name(0), name(1), Axis::linear(label.clone())];
             let surface =
                 Surface::new(title, axes, [xs, ys], |i, j| at(i, j).0).errors(|i, j| at(i, j).1);
             image::write_both(out, "sweep", &surface)?;
         }
+        _ if as_lines => crate::command::note(format_args!(
+            "no picture is drawn: it needs one or two keys with several numbers; --plot COLUMN:OVER draws any keys over a column"
+        )),
         _ => {}
     }
     Ok(())

@@ -86,11 +86,11 @@ impl Table {
         &self.kind
     }
 
-    /// Mean of the drawn quantity of a combination and its error, or the deviation of the runs.
-    pub fn drawn(&self, combination: usize) -> (f64, f64) {
+    /// Mean of a quantity of a combination and its error, or the deviation of the runs.
+    pub fn drawn(&self, quantity: usize, combination: usize) -> (f64, f64) {
         let row = self.rows.get(combination);
         row.map_or((f64::NAN, f64::NAN), |row| {
-            let mean = row.means[self.kind.drawn];
+            let mean = row.means[quantity];
             (mean.value, mean.whisker())
         })
     }
@@ -165,7 +165,11 @@ impl Table {
         for (name, width) in self.names.iter().zip(&widths) {
             text += &format!("  {name:>width$}");
         }
-        text += &format!("  {:>12}", self.kind.share[0]);
+        // Flows end when their time is over, and none of them at rest.
+        let never = self.kind.share[0] == "rest" && self.rows.iter().all(|row| row.share == 0.0);
+        if !never {
+            text += &format!("  {:>12}", self.kind.share[0]);
+        }
         for (_, head) in &shown_columns {
             text += &format!("  {head:>22}");
         }
@@ -180,7 +184,9 @@ impl Table {
                 continue;
             }
             let share = (row.share * row.runs as f64).round();
-            text += &format!("  {:>12}", format!("{share}/{}", row.runs));
+            if !never {
+                text += &format!("  {:>12}", format!("{share}/{}", row.runs));
+            }
             for (at, _) in &shown_columns {
                 let mean = row.means[*at];
                 let cell = if mean.whisker().is_nan() {

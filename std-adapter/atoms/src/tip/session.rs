@@ -101,7 +101,7 @@ impl LongRun for TipSimulation {
             ],
             places,
             speeds: velocities.iter().map(|v| v.norm() as f32).collect(),
-            contacts: Vec::new(),
+            ..Frame::default()
         }
     }
 }

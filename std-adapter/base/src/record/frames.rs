@@ -59,7 +59,7 @@
 //! | bytes | what |
 //! |---|---|
 //! | 4 | `TrFr` |
-//! | 4 | u32, version: 3 |
+//! | 4 | u32, version: 4, or 3 without vectors |
 //! | 8 | u64, step |
 //! | 8 | f64, time |
 //! | 8 | f64, height: of the piston's face, or the mean of the driven atoms |
@@ -68,14 +68,15 @@
 //! | 4, 4 | u32, n and m |
 //! | 12, 12 | f32, low and high corner of the box in which places are counted |
 //! | 6 n | u16, places: 0 is the low side, 65535 the high one |
-//! | 2 n | speeds: the upper half of an f32 |
+//! | 6 n | velocities: the upper half of an f32 each; in version 3 speeds, 2 n |
 //! | 4 m, 4 m | u32, the sphere of a contact and its partner; 2³² − 1 − w for wall w |
 //! | 2 m | normal forces, positive for pressure: the upper half of an f32 |
 //! | m | u8, what the contact does: see [`ContactStateFlags`] |
+//! | 6 m | forces across the contacts on their partners: the upper half of an f32 each; absent in version 3 |
 //! | 16 | u128, the [`digest`](crate::record::digest) of all bytes before, xor that of what the run is about |
 //!
 //! *Accuracy*: positions to half a 65535th of the box's side (a millionth of the side more where
-//! an end is no f32), speeds and forces to 2⁻⁸ of their size. Any consistent units.
+//! an end is no f32), velocities and forces to 2⁻⁸ of each component. Any consistent units.
 //!
 //! Which states are kept depends on the number of steps alone ([`spacing`]), so that an interrupted
 //! and resumed run leaves the same files.

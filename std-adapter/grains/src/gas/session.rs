@@ -53,6 +53,7 @@ impl LongRun for GasSimulation {
     fn frame(&self) -> Frame {
         let state = self.state();
         let length = self.length() as f32;
+        let velocities = || state.motions.iter().map(|motion| motion.velocity);
         Frame {
             step: self.steps(),
             time: self.time(),
@@ -61,12 +62,9 @@ impl LongRun for GasSimulation {
             measure: state.temperatures().translational,
             corners: [[0.0; 3], [length; 3]],
             places: state.places,
-            speeds: state
-                .motions
-                .iter()
-                .map(|motion| motion.velocity.norm() as f32)
-                .collect(),
-            contacts: Vec::new(),
+            speeds: velocities().map(|v| v.norm() as f32).collect(),
+            velocities: velocities().map(|v| v.cast()).collect(),
+            ..Frame::default()
         }
     }
 }

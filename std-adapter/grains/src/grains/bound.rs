@@ -5,6 +5,8 @@ use super::texts::GrainTypes;
 use crate::grains::scene::GrainsScene;
 use crate::packing::InitialSpheres;
 use nalgebra::Vector3;
+use serde_json::Value;
+use tribos_base::scene::table::Table as _;
 
 /// Types of the grains that a scene adds: on the floor, the intruder, on the plate above.
 pub(super) const FLOOR: u8 = 7;
@@ -14,6 +16,18 @@ pub(super) const LID: u8 = 9;
 impl GrainTypes {
     pub(super) const FLOOR: Self = Self::one(FLOOR);
     pub(super) const DRIVEN: Self = Self::one(DRIVEN);
+}
+
+/// Types of the spheres of a run that no force moves; none unless its scene is of grains.
+pub(crate) fn held_types(scene: &Value) -> GrainTypes {
+    let of_key = |key: &str| scene[key].as_str()?.parse::<GrainTypes>().ok();
+    let keys = ["fixed_kinds", "driven_kinds"];
+    match keys.map(|key| of_key(key).unwrap_or_default()) {
+        [fixed, driven] if scene["body"] == GrainsScene::BODY => {
+            fixed.and(driven).and(GrainTypes::one(LID))
+        }
+        _ => GrainTypes::default(),
+    }
 }
 
 /// What moves grains that no force moves.

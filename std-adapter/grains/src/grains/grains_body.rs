@@ -237,10 +237,11 @@ impl GrainsSimulation {
         let totals = self.totals();
         let has_surface = now.scene.boundary_z == EndBoundary::Floor;
         let energy = now.packing.energy();
+        let mass = now.free().map(|(_, _, grain)| 1.0 / grain.inv_mass).sum();
         GrainsSummary {
             ending: self.ending(),
             grains: now.free().count(),
-            mass: now.free().map(|(_, _, grain)| 1.0 / grain.inv_mass).sum(),
+            mass,
             time: self.time(),
             steps: self.steps(),
             iterations_total: totals.iterations,
@@ -250,7 +251,7 @@ impl GrainsSimulation {
             end: now.line(),
             surface_angles: has_surface.then(|| now.surface_angles()),
             surface_angle_error: has_surface.then(|| now.surface_angle_error()),
-            flow: (now.scene.container == Container::Hopper).then(|| self.flow()),
+            flow: (now.scene.container == Container::Hopper).then(|| self.flow(mass)),
             averages: averages(self.series(), now.scene.average_from),
             max_overlap: self.max_overlap(),
             statistics: self.statistics(),
@@ -261,11 +262,11 @@ impl GrainsSimulation {
     }
 
     /// Flow through the slot of a hopper.
-    fn flow(&self) -> HopperFlow {
+    fn flow(&self, mass: f64) -> HopperFlow {
         let lines = self.series().iter().map(|row| GrainsLine::from(*row));
         let (times, below): (Vec<f64>, Vec<f64>) =
             lines.map(|line| (line.time, line.discharged)).unzip();
-        HopperFlow::of(&times, &below)
+        HopperFlow::of(&times, &below, mass)
     }
 }
 

@@ -24,6 +24,8 @@ pub(crate) mod scene;
 mod texts;
 mod wall;
 
+pub(crate) use bound::held_types;
+
 pub use crate::packing::PackingStopReason as GrainsStopReason;
 #[doc(hidden)]
 pub use container::{PlateOutline, plates};

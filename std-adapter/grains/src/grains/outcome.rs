@@ -106,14 +106,19 @@ summary! {
     from: f64, "s";
     /// Time until which it is.
     until: f64, "s";
+    /// Time of the last line in which anything flowed out.
+    last: f64, "s";
+    /// Mass that has not flowed out at the end: what clogs, or lies in dead zones.
+    left: f64, "kg", ShownAs("flow_left", "left");
 }
 
 /// Parts of the time of a flow whose rates tell its error: less than 3 % of the mass each would be single grains.
 const PARTS: usize = 8;
 
 impl HopperFlow {
-    /// The flow of a series of times and masses below the slot; NaN where nothing flows, or too fast for the lines.
-    pub(super) fn of(times: &[f64], below: &[f64]) -> Self {
+    /// The flow of a series of times and masses below the slot, of a mass in all: 0 where nothing flows, NaN where it flows
+    /// too fast for the lines.
+    pub(super) fn of(times: &[f64], below: &[f64], mass: f64) -> Self {
         let [first, last] = [below.first(), below.last()].map(|mass| mass.copied().unwrap_or(0.0));
         let share = |tenths: f64| first + tenths / 10.0 * (last - first);
         let begin = below.partition_point(|mass| *mass <= share(1.0));
@@ -129,11 +134,14 @@ impl HopperFlow {
         };
         let rates: Vec<f64> = (0..PARTS).map(|part| rate([part, part + 1])).collect();
         let [from, until] = [0, PARTS].map(|part| at(line(part))[0]);
+        let stands = times.len() > 1 && first == last;
         Self {
-            rate: rate([0, PARTS]),
+            rate: if stands { 0.0 } else { rate([0, PARTS]) },
             error: mean_and_error(&rates)[1],
             from,
             until,
+            last: at(below.partition_point(|mass| *mass < last))[0],
+            left: mass - last,
         }
     }
 }
@@ -148,15 +156,17 @@ mod tests {
         let times: Vec<f64> = (0..150).map(|i| 0.1 * f64::from(i)).collect();
         let mass = |time: &f64| 0.1 * time.min(1.0) + 2.0 * (time - 1.0).clamp(0.0, 10.0);
         let below: Vec<f64> = times.iter().map(mass).collect();
-        let flow = HopperFlow::of(&times, &below);
+        let flow = HopperFlow::of(&times, &below, 25.0);
+        assert!((flow.last - 11.0).abs() < 1e-12 && (flow.left - 4.9).abs() < 1e-12);
         assert!(
             (flow.rate - 2.0).abs() < 1e-12 && flow.error < 1e-12,
             "{flow:?}"
         );
         assert!(flow.from > 1.9 && flow.until < 10.1, "{flow:?}");
-        // What does not flow has no rate.
-        assert!(HopperFlow::of(&times, &[0.0; 150]).rate.is_nan());
-        assert!(HopperFlow::of(&[0.0], &[0.0]).rate.is_nan());
+        // What does not flow has the rate 0, without an error; a run without time has none.
+        let clogged = HopperFlow::of(&times, &[0.0; 150], 3.0);
+        assert!(clogged.rate == 0.0 && clogged.error.is_nan() && clogged.left == 3.0);
+        assert!(HopperFlow::of(&[0.0], &[0.0], 3.0).rate.is_nan());
         // Eight parts of 0.99 and 2.97 kg/s in turn, between a tenth and nine tenths of 200 kg: 1.98 ± 0.99/√7 kg/s.
         let mut below = vec![0.0, 20.5];
         for line in 0..80 {
@@ -165,7 +175,7 @@ mod tests {
         }
         below.push(200.0);
         let times: Vec<f64> = (0..below.len()).map(|i| i as f64).collect();
-        let flow = HopperFlow::of(&times, &below);
+        let flow = HopperFlow::of(&times, &below, 200.0);
         assert_eq!([flow.from, flow.until], [1.0, 81.0]);
         assert!((flow.rate - 1.98).abs() < 1e-12, "{flow:?}");
         assert!(

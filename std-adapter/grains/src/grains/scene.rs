@@ -106,7 +106,7 @@ scene! {
     /// Height of the slot above the floor.
     orifice_height was outlet_height: f64 = 0.1, "m", Positive, OnlyWith("container", "hopper");
     /// Angle of the plates of the hopper with the horizontal.
-    hopper_angle was slope: f64 = 45.0, "degree", Between { above: 0.0, up_to: 89.0 }, OnlyWith("container", "hopper");
+    hopper_angle was slope: f64 = 45.0, "degree", Below { from: 0.0, below: 90.0 }, OnlyWith("container", "hopper");
     /// Time at which the slot is opened.
     open_time was opening: f64 = 0.0, "s", NotNegative, OnlyWith("container", "hopper");
     /// Rate of rotation of the drum.

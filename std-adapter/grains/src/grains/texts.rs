@@ -28,6 +28,11 @@ impl GrainTypes {
         Self(1 << kind)
     }
 
+    /// These types and others.
+    pub(super) const fn and(self, others: Self) -> Self {
+        Self(self.0 | others.0)
+    }
+
     /// Whether a type is among them.
     pub fn has(&self, kind: u8) -> bool {
         kind <= LARGEST && self.0 & (1 << kind) != 0

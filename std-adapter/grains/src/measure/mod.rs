@@ -1,10 +1,11 @@
 //! Measures of packings of spheres: stress, fabric, pair correlation, forces, coordination, force chains,
-//! neck levers, porosity profile; for runs and for the files of other programs.
+//! neck levers, porosity profile, layers of a flow; for runs and for the files of other programs.
 
 mod chains;
 mod coordination;
 mod fabric;
 mod forces;
+mod layers;
 mod necks;
 mod pair_correlation;
 mod profile;
@@ -21,6 +22,7 @@ pub use chains::{Buckling, ForceChains};
 pub use coordination::Coordination;
 pub use fabric::Fabric;
 pub use forces::ForceDistribution;
+pub use layers::{Layer, LayerProfile};
 pub use necks::{Neck, Necks};
 pub use pair_correlation::PairCorrelation;
 pub use profile::PorosityProfile;
@@ -51,9 +53,9 @@ pub struct MeasureOptions {
     pub angle: f64,
     /// Fewest contacts of a sphere that is no rattler.
     pub least_contacts: usize,
-    /// Number of slices of the porosity profile.
+    /// Number of slices of the profiles.
     pub slices: usize,
-    /// Axis of the profile: 0, 1 or 2 for x, y or z.
+    /// Axis of the profiles: 0, 1 or 2 for x, y or z.
     pub axis: usize,
     /// Density of all spheres, for the kinetic stress; their own, that of the scene, or 1, if left out.
     pub density: Option<f64>,

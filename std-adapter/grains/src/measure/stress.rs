@@ -51,18 +51,23 @@ impl StressTensor {
     }
 }
 
-/// Σ m u u with the density that is given, or those of the spheres, or that of the scene, or 1.
-fn kinetic(assembly: &Assembly, density: Option<f64>) -> Matrix3<f64> {
-    let Some(velocities) = &assembly.velocities else {
-        return Matrix3::zeros();
-    };
+/// Masses with the density that is given, or those of the spheres, or that of the scene, or 1.
+pub(super) fn masses(assembly: &Assembly, density: Option<f64>) -> Vec<f64> {
     let of_scene = assembly.scene["density"].as_f64().unwrap_or(1.0);
     let own = |sphere: usize| assembly.densities.as_ref()?.get(sphere).copied();
     let mass = |(sphere, r): (usize, &f64)| {
         let density = density.or_else(|| own(sphere)).unwrap_or(of_scene);
         density * (4.0 / 3.0 * PI * r * r * r)
     };
-    let masses: Vec<f64> = assembly.radii.iter().enumerate().map(mass).collect();
+    assembly.radii.iter().enumerate().map(mass).collect()
+}
+
+/// Σ m u u.
+fn kinetic(assembly: &Assembly, density: Option<f64>) -> Matrix3<f64> {
+    let Some(velocities) = &assembly.velocities else {
+        return Matrix3::zeros();
+    };
+    let masses = masses(assembly, density);
     let moving = || velocities.iter().zip(&masses);
     let total: f64 = masses.iter().sum();
     let momentum: Vector3<f64> = moving().map(|(velocity, mass)| velocity * *mass).sum();

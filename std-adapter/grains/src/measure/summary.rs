@@ -53,6 +53,7 @@ impl Measures {
             "kinetic": stress.kinetic.recorded(),
             "forces": match self.assembly.forces {
                 super::KnownForces::Complete => "complete",
+                super::KnownForces::Rounded => "rounded",
                 _ => "normal only",
             },
         })

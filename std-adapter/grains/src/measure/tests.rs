@@ -1,4 +1,4 @@
-use super::{Assembly, ForceDistribution, KnownForces, MeasureOptions, Measures};
+use super::{Assembly, ForceDistribution, KnownForces, LayerProfile, MeasureOptions, Measures};
 use nalgebra::{Matrix3, Vector3};
 use serde_json::json;
 use std::f64::consts::PI;
@@ -319,4 +319,126 @@ fn fluctuations_of_the_motion_press_and_a_common_motion_does_not() {
         assert!((stress.kinetic.m22 / expected - 1.0).abs() < 1e-12);
         assert!((stress.pressure() / expected - 1.0 / 3.0).abs() < 1e-12);
     }
+}
+
+/// Random spheres in a box that repeats along all axes but one, with forces between neighbours and velocities.
+fn stirred(open: Option<usize>) -> Assembly {
+    let mut random = Random::new(11, 3);
+    let mut periods = [Some(9.0), Some(8.0), Some(7.0)];
+    if let Some(axis) = open {
+        periods[axis] = None;
+    }
+    let vector = |random: &mut Random, scale: f64| Vector3::from_fn(|_, _| scale * random.unit());
+    let places: Vec<_> = (0..60).map(|_| vector(&mut random, 7.0)).collect();
+    let velocities = (0..60)
+        .map(|_| vector(&mut random, 2.0) - Vector3::repeat(1.0))
+        .collect();
+    let radii = (0..60).map(|n| 0.4 + 0.01 * f64::from(n)).collect();
+    let mut state = Assembly::new(PeriodicBox::new(periods).unwrap(), places, radii);
+    state.touch(0.1).unwrap();
+    for contact in &mut state.contacts {
+        contact.force = contact.normal * random.unit() + Vector3::new(0.1, -0.2, 0.05);
+    }
+    state.forces = KnownForces::Complete;
+    state.velocities = Some(velocities);
+    state
+}
+
+#[test]
+fn layers_share_out_volume_momentum_and_stress_across_every_axis() {
+    for (axis, open) in (0..3).flat_map(|axis| [(axis, None), (axis, Some(axis))]) {
+        let state = stirred(open);
+        let options = MeasureOptions {
+            axis,
+            slices: 5,
+            ..MeasureOptions::default()
+        };
+        let flow = LayerProfile::of(&[state.clone(), state.clone()], (axis, 5), None).unwrap();
+        let found = Measures::of(state.clone(), &options).unwrap();
+        let volume = state.volume() / 5.0;
+        let mut momentum = Vector3::zeros();
+        let mut stress = [0.0; 4];
+        for (layer, slice) in flow.layers.iter().zip(&found.profile.slices) {
+            let ends = layer.ends.iter().zip(slice);
+            assert!(ends.into_iter().all(|(a, b)| (a - b).abs() < 1e-12));
+            // The profile of one state has its slices by other code.
+            let solid = layer.solid_fraction.mean;
+            assert!((solid - (1.0 - slice[2])).abs() < 1e-12, "{axis}");
+            let velocity = layer.velocity.map(|mean| mean.mean);
+            momentum += Vector3::from(velocity) * (solid * volume);
+            // The motion of a layer beside that about it.
+            let flow = |[i, j]: [usize; 2]| solid * velocity[i] * velocity[j];
+            let parts = [[0, 0], [1, 1], [2, 2], [0, 2]].map(flow);
+            for ((sum, mean), flow) in stress.iter_mut().zip(layer.stress).zip(parts) {
+                *sum += (mean.mean + flow) / 5.0;
+            }
+        }
+        let masses: Vec<f64> = state
+            .radii
+            .iter()
+            .map(|r| 4.0 / 3.0 * PI * r.powi(3))
+            .collect();
+        let moving = || state.velocities.iter().flatten().zip(&masses);
+        let whole: Vector3<f64> = moving().map(|(v, m)| v * *m).sum();
+        assert!(
+            (momentum - whole).norm() < 1e-11 * masses.iter().sum::<f64>(),
+            "{axis}"
+        );
+        let motion: Matrix3<f64> = moving().map(|(v, m)| v * v.transpose() * *m).sum();
+        let contacts = found.stress.unwrap();
+        let total = contacts.plus + contacts.minus + motion / state.volume();
+        let total = [total.m11, total.m22, total.m33, total.m13];
+        for (sum, total) in stress.into_iter().zip(total) {
+            assert!(
+                (sum - total).abs() < 1e-12 * (1.0 + total.abs()),
+                "{axis}: {sum} {total}"
+            );
+        }
+    }
+}
+
+#[test]
+fn layers_are_means_over_time_and_leave_out_what_is_held() {
+    let mut state = stirred(None);
+    let spheres = state.radii.len();
+    let mut faster = state.clone();
+    faster
+        .velocities
+        .iter_mut()
+        .flatten()
+        .for_each(|v| v.x += 1.0);
+    (state.time, faster.time) = (Some(0.0), Some(1.0));
+    let mut last = faster.clone();
+    last.velocities
+        .iter_mut()
+        .flatten()
+        .for_each(|v| v.x += 1.0);
+    last.time = Some(4.0);
+    // The state at 1 counts for one second, that at 4 for three; the first begins the time.
+    let speed = |states: &[Assembly], from| {
+        LayerProfile::of(states, (2, 1), from).unwrap().layers[0].velocity[0].mean
+    };
+    let at_rest = speed(&[state.clone(), state.clone()], None);
+    let states = [state.clone(), faster, last];
+    assert!((speed(&states, Some(0.0)) - at_rest - 1.75).abs() < 1e-12);
+    assert!((speed(&states, Some(1.0)) - at_rest - 2.0).abs() < 1e-12);
+    assert!(LayerProfile::of(&states, (2, 1), Some(4.0)).is_none());
+    // Glued grains are no part of the flow; types of other programs' files are.
+    state.materials = Some(
+        (0..spheres)
+            .map(|n| if n % 2 == 0 { 7 } else { 1 })
+            .collect(),
+    );
+    let solid = |state: &Assembly| {
+        LayerProfile::of(&[state.clone(), state.clone()], (2, 3), None)
+            .unwrap()
+            .layers[1]
+            .solid_fraction
+            .mean
+    };
+    let all = solid(&state);
+    state.scene = json!({"body": "grains", "fixed_kinds": "7", "driven_kinds": "8"});
+    assert!(solid(&state) < 0.7 * all);
+    state.velocities = None;
+    assert!(LayerProfile::of(&[state.clone(), state], (2, 3), None).is_none());
 }

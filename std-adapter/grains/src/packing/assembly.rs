@@ -43,6 +43,8 @@ pub struct Assembly {
     pub velocities: Option<Vec<Vector3<f64>>>,
     /// Angular velocities, if they are known.
     pub spins: Option<Vec<Vector3<f64>>>,
+    /// Time of the state, if it is known.
+    pub time: Option<f64>,
     /// Contacts of spheres with each other and with walls.
     pub contacts: Vec<ContactRow>,
     /// What is known of the forces of the contacts.
@@ -66,6 +68,8 @@ pub struct Assembly {
 pub enum KnownForces {
     /// Forces and torques to the bit.
     Complete,
+    /// Forces to 2⁻⁸ of each component, no torques.
+    Rounded,
     /// Normal forces only.
     Normal,
     /// Nothing: the contacts are those of the geometry.
@@ -85,6 +89,7 @@ impl Assembly {
             densities: None,
             velocities: None,
             spins: None,
+            time: None,
             contacts: Vec::new(),
             forces: KnownForces::Unknown,
             scene: Value::Null,

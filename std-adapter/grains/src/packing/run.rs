@@ -547,7 +547,9 @@ impl<B: PackingBody<N>, const N: usize> LongRun for PackingRun<B, N> {
                 .reached(row, radii)
                 .map_or(ContactStateFlags::OPEN, ContactStateFlags::of),
         };
-        let spheres = packing.spheres().iter();
+        let rows = self.contacts_now();
+        let across = |row: &ContactRow| (row.force - row.normal * row.normal_force()).cast::<f32>();
+        let velocities = || packing.spheres().iter().map(|sphere| sphere.velocity);
         Frame {
             step: self.steps(),
             time: self.time(),
@@ -556,10 +558,10 @@ impl<B: PackingBody<N>, const N: usize> LongRun for PackingRun<B, N> {
             corners: [corner(0), corner(1)],
             tilt: space.offset(),
             places: packing.positions().iter().map(|x| space.wrap(x)).collect(),
-            speeds: spheres
-                .map(|sphere| sphere.velocity.norm() as f32)
-                .collect(),
-            contacts: self.contacts_now().iter().map(contact).collect(),
+            speeds: velocities().map(|v| v.norm() as f32).collect(),
+            velocities: velocities().map(|v| v.cast()).collect(),
+            contacts: rows.iter().map(contact).collect(),
+            tangential: rows.iter().map(across).collect(),
         }
     }
 }

@@ -4,7 +4,7 @@ use tribos_base::random::Random;
 use tribos_base::record::frames::{Bodies, Frame, FrameFolder};
 use tribos_base::record::trajectory::{Format, State, Trajectory};
 use tribos_base::record::{Snapshot, extended_xyz, particles_vtp};
-use tribos_base::run::LongRun;
+use tribos_base::run::{LongRun, Simulation};
 use tribos_base::scene::SceneError;
 use tribos_base::space::PeriodicBox;
 use tribos_grains::gas::GasSimulation;
@@ -469,5 +469,54 @@ fn no_format_loses_a_radius_a_density_a_material_a_period_or_the_tilt() {
             ReadPacking::of(&read).assert_is(&coarse, 1e-7, &what);
             ReadPacking::of(&again(&read)).assert_is(&coarse, 1e-7, &what);
         }
+    }
+}
+
+#[test]
+fn a_frame_has_the_velocities_and_forces_of_the_state_walls_included() {
+    let text = "body = \"grains\"\nwidth = 0.05\nradius = 0.005\nradius_spread = 0.2\ncount = 60\nduration = 1\n\
+                density = 2500\nboundary_x = \"walls\"\nmax_iterations = 200\ngravity_angle = 20\nseed = 3\n";
+    let scene = GrainsScene::parse("bed", text, &[]).unwrap();
+    let mut run = GrainsSimulation::new(&scene).unwrap();
+    while run.time() < 0.15 {
+        run.step().unwrap();
+    }
+    let home = tempfile::tempdir().unwrap();
+    let frame = Frame {
+        step: 0,
+        ..run.frame()
+    };
+    let film = FrameFolder::begin(&home.path().join("frames"), &run.bodies(9)).unwrap();
+    film.finish(&frame).unwrap();
+    let [(_, frame)] = &Assembly::read_all(home.path()).unwrap()[..] else {
+        panic!("one frame");
+    };
+    let state = Assembly::parse("state", &run.state()).unwrap();
+    assert_eq!(
+        (frame.time, frame.forces),
+        (Some(run.time()), KnownForces::Rounded)
+    );
+    assert_eq!(frame.contacts.len(), state.contacts.len());
+    let walls = |all: &Assembly| {
+        all.contacts
+            .iter()
+            .filter(|row| row.b.particle().is_none())
+            .count()
+    };
+    assert!(walls(&state) > 10 && walls(frame) == walls(&state));
+    let largest = state
+        .contacts
+        .iter()
+        .map(|row| row.force.norm())
+        .fold(0.0, f64::max);
+    for (coarse, exact) in frame.contacts.iter().zip(&state.contacts) {
+        assert_eq!((coarse.a, coarse.b), (exact.a, exact.b));
+        // Half of the last place of each component, and places to a 130,000th of the box.
+        assert!((coarse.force - exact.force).norm() < 6e-3 * exact.force.norm() + 1e-4 * largest);
+        assert!((coarse.normal - exact.normal).norm() < 1e-3);
+    }
+    let velocities = |all: &Assembly| all.velocities.clone().unwrap();
+    for (coarse, exact) in velocities(frame).iter().zip(velocities(&state)) {
+        assert!((coarse - exact).norm() <= exact.norm() / 200.0);
     }
 }

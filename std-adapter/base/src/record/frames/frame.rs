@@ -1,12 +1,15 @@
 //! One state of a run for a film.
 
+use super::Bodies;
 use super::bytes::{Source, from_upper_half, upper_half};
 use crate::record::{Partner, digest};
 use nalgebra::Vector3;
 
 /// The first bytes of a frame, and the version that follows.
 const MAGIC: [u8; 4] = *b"TrFr";
-const VERSION: u32 = 3;
+/// Version of a frame with speeds and normal forces alone, and of one with vectors.
+const SPEEDS: u32 = 3;
+const VECTORS: u32 = 4;
 /// Largest encoded coordinate.
 const STEPS: f64 = u16::MAX as f64;
 
@@ -65,8 +68,13 @@ pub struct Frame {
     pub places: Vec<Vector3<f64>>,
     /// Speeds; in a file to 2⁻⁸ of each.
     pub speeds: Vec<f32>,
+    /// Velocities; in a file to 2⁻⁸ of each component. None if only speeds are known.
+    pub velocities: Vec<Vector3<f32>>,
     /// Contacts.
     pub contacts: Vec<FrameContact>,
+    /// Forces across the contacts on their partners; in a file to 2⁻⁸ of each component. None if only normal forces are
+    /// known.
+    pub tangential: Vec<Vector3<f32>>,
 }
 
 /// A contact in a frame.
@@ -115,6 +123,14 @@ impl ContactStateFlags {
 }
 
 impl Frame {
+    /// Period along an axis; that of a box that has deformed is that of its corners, in single precision.
+    pub fn period(&self, bodies: &Bodies, axis: usize) -> Option<f64> {
+        let start = bodies.periods[axis]?;
+        let [low, high] = self.corners.map(|corner| corner[axis]);
+        let has_deformed = low == 0.0 && high != start as f32 && high > 0.0;
+        Some(if has_deformed { high.into() } else { start })
+    }
+
     /// The frame as the bytes of a file of this [run](Bodies::run).
     pub(super) fn bytes(&self, run: u128) -> Vec<u8> {
         let mut bytes = self.content();
@@ -135,9 +151,10 @@ impl Frame {
     /// Contents of the file before its digest.
     fn content(&self) -> Vec<u8> {
         let (n, m) = (self.places.len(), self.contacts.len());
-        let mut bytes = Vec::with_capacity(80 + 8 * n + 11 * m);
+        let has_vectors = [self.velocities.len(), self.tangential.len()] == [n, m];
+        let mut bytes = Vec::with_capacity(80 + 12 * n + 17 * m);
         bytes.extend(MAGIC);
-        bytes.extend(VERSION.to_le_bytes());
+        bytes.extend(if has_vectors { VECTORS } else { SPEEDS }.to_le_bytes());
         bytes.extend(self.step.to_le_bytes());
         for number in [self.time, self.height, self.measure, self.tilt] {
             bytes.extend(number.to_le_bytes());
@@ -153,21 +170,42 @@ impl Frame {
                 bytes.extend(self.count(axis, place[axis]).to_le_bytes());
             }
         }
-        for speed in &self.speeds {
-            bytes.extend(upper_half(*speed).to_le_bytes());
+        let numbers =
+            |vectors: &[Vector3<f32>]| -> Vec<f32> { vectors.iter().flatten().copied().collect() };
+        let mut put = |values: &[f32]| {
+            bytes.extend(
+                values
+                    .iter()
+                    .flat_map(|value| upper_half(*value).to_le_bytes()),
+            )
+        };
+        if has_vectors {
+            put(&numbers(&self.velocities));
+        } else {
+            put(&self.speeds);
         }
         let contacts = || self.contacts.iter();
         bytes.extend(contacts().flat_map(|contact| contact.a.to_le_bytes()));
         bytes.extend(contacts().flat_map(|contact| number(contact.b).to_le_bytes()));
         bytes.extend(contacts().flat_map(|contact| upper_half(contact.normal_force).to_le_bytes()));
         bytes.extend(contacts().map(|contact| contact.hold.0));
+        if has_vectors {
+            let tangential = numbers(&self.tangential);
+            bytes.extend(
+                tangential
+                    .iter()
+                    .flat_map(|value| upper_half(*value).to_le_bytes()),
+            );
+        }
         bytes
     }
 
     /// A frame from the contents of its file before the digest; `None` if they are invalid.
     fn of_content(bytes: &[u8]) -> Option<Self> {
         let mut source = Source(bytes);
-        if source.take()? != MAGIC || u32::from_le_bytes(source.take()?) != VERSION {
+        let (magic, version) = (source.take()?, u32::from_le_bytes(source.take()?));
+        let has_vectors = version == VECTORS;
+        if magic != MAGIC || !(has_vectors || version == SPEEDS) {
             return None;
         }
         let mut frame = Self {
@@ -189,11 +227,25 @@ impl Frame {
         let place = |counts: &[u16; 3]| Vector3::from_fn(|axis, _| frame.place(axis, counts[axis]));
         frame.places = places.iter().map(place).collect();
         let half = |bytes| from_upper_half(u16::from_le_bytes(bytes));
-        frame.speeds = source.list(n, half)?;
+        let vector =
+            |[a, b, c, d, e, f]: [u8; 6]| Vector3::new(half([a, b]), half([c, d]), half([e, f]));
+        if has_vectors {
+            frame.velocities = source.list(n, vector)?;
+            frame.speeds = frame
+                .velocities
+                .iter()
+                .map(|v| v.cast::<f64>().norm() as f32)
+                .collect();
+        } else {
+            frame.speeds = source.list(n, half)?;
+        }
         let a = source.list(m, u32::from_le_bytes)?;
         let b = source.list(m, u32::from_le_bytes)?;
         let forces = source.list(m, half)?;
         let holds = source.list(m, |[hold]| ContactStateFlags(hold))?;
+        if has_vectors {
+            frame.tangential = source.list(m, vector)?;
+        }
         frame.contacts = (0..m)
             .map(|at| FrameContact {
                 a: a[at],
@@ -272,6 +324,8 @@ mod tests {
             speeds: (0..50)
                 .map(|k| 1e-7 * libm::exp2f(k as f32 / 1.3))
                 .collect(),
+            velocities: Vec::new(),
+            tangential: Vec::new(),
             contacts: vec![
                 contact(0, Partner::Particle(49), 0.3, ContactStateFlags::STICKS),
                 contact(
@@ -312,8 +366,52 @@ mod tests {
         Ok(())
     }
 
+    /// The frame with vectors.
+    fn with_vectors() -> Frame {
+        let (velocity, force) = (
+            Vector3::new(0.7, -1.1e-3, 0.0),
+            Vector3::new(-0.01, 0.2, 3e-9),
+        );
+        Frame {
+            velocities: vec![velocity; 50],
+            tangential: vec![force; 2],
+            ..frame()
+        }
+    }
+
+    #[test]
+    fn vectors_read_back_and_give_the_speeds() -> Result<(), &'static str> {
+        let written = with_vectors();
+        let read = Frame::parse(&written.bytes(RUN), RUN).ok_or("unread")?;
+        for (wrote, got) in [
+            (written.velocities[0], read.velocities[49]),
+            (written.tangential[0], read.tangential[1]),
+        ] {
+            assert!(
+                wrote
+                    .iter()
+                    .zip(&got)
+                    .all(|(a, b)| (a - b).abs() <= a.abs() / 256.0)
+            );
+        }
+        assert!((read.speeds[7] - 0.7).abs() <= 0.7 / 256.0);
+        assert_eq!(read.bytes(RUN), written.bytes(RUN));
+        // One vector of a pair alone is no frame with vectors.
+        let torn = Frame {
+            tangential: Vec::new(),
+            ..written
+        };
+        let torn = Frame::parse(&torn.bytes(RUN), RUN).ok_or("unread")?;
+        assert!(torn.velocities.is_empty() && torn.contacts.len() == 2);
+        Ok(())
+    }
+
     #[test]
     fn what_is_not_a_frame_is_refused() {
+        let bytes = with_vectors().content();
+        for length in 0..bytes.len() {
+            assert!(Frame::of_content(&bytes[..length]).is_none(), "{length}");
+        }
         let bytes = frame().content();
         for length in 0..bytes.len() {
             assert!(Frame::of_content(&bytes[..length]).is_none(), "{length}");

@@ -81,7 +81,7 @@ impl Column {
 
 impl State {
     /// The state of a stored frame, with the accuracy of [frames](crate::record::frames): the box with its periods,
-    /// positions, radii, speeds, densities and materials where they are known, the number of contacts of each
+    /// positions, radii, speeds, velocities, densities and materials where they are known, the number of contacts of each
     /// sphere, layer and part of each atom of a tip.
     ///
     /// ```
@@ -115,16 +115,11 @@ impl State {
     /// ```
     pub fn of_frame(bodies: &Bodies, frame: &Frame) -> Self {
         let count = frame.places.len();
-        let side = |axis: usize| {
-            let corners = frame.corners.map(|corner| corner[axis]);
-            let [low, high] = corners.map(f64::from);
-            match bodies.periods[axis] {
-                // A box that has deformed has the period of its corners.
-                Some(start) if corners[0] == 0.0 && corners[1] != start as f32 && high > 0.0 => {
-                    Side::periodic(high)
-                }
-                Some(length) => Side::periodic(length),
-                None => Side::open(low, high),
+        let side = |axis: usize| match frame.period(bodies, axis) {
+            Some(length) => Side::periodic(length),
+            None => {
+                let [low, high] = frame.corners.map(|corner| f64::from(corner[axis]));
+                Side::open(low, high)
             }
         };
         let mut columns = vec![
@@ -135,6 +130,10 @@ impl State {
                 Values::Numbers(frame.speeds.iter().copied().map(f64::from).collect()),
             ),
         ];
+        if !frame.velocities.is_empty() {
+            let velocities = frame.velocities.iter().map(|v| v.cast()).collect();
+            columns.push(Column::new("velocity", Values::Vectors(velocities)));
+        }
         if !bodies.densities.is_empty() {
             let densities = Values::Numbers(bodies.densities.clone());
             columns.push(Column::new("density", densities));

@@ -1,9 +1,11 @@
 //! Reading spheres from the files and folders of runs and of other programs.
 
 mod columns;
+mod error;
 mod format;
 mod found;
 mod mercury;
+mod periods;
 mod programs;
 mod run;
 mod table;
@@ -11,9 +13,9 @@ mod vtk;
 
 pub(crate) use columns::{COLUMNS, COLUMNS_ALONE};
 pub use columns::{PackingColumns, PackingColumnsError};
+pub use error::AssemblyError;
 pub use format::PackingFormat;
 
-use super::SAME_PERIOD;
 use super::assembly::{Assembly, KnownForces};
 use crate::packing::{Stored, mixed};
 use nalgebra::Vector3;
@@ -25,87 +27,10 @@ use tribos_base::exchange::spheres::Spheres;
 use tribos_base::exchange::text::TextError;
 use tribos_base::exchange::{extended_xyz, lammps};
 use tribos_base::record::{CheckpointError, RecordError, read_bytes};
-use tribos_base::space::{AXES, PeriodicBox, SpaceError};
+use tribos_base::space::PeriodicBox;
 
 /// Largest size of a file in bytes: about ten million spheres as text.
 const MOST_BYTES: u64 = 4 << 30;
-
-/// Why spheres cannot be read.
-///
-/// ```
-/// use tribos::measure::{Assembly, AssemblyError};
-/// let atoms = "1\nLattice=\"4 0 0 0 4 0 0 0 4\" Properties=species:S:1:pos:R:3\nAr 1 1 1\n";
-/// let refused = Assembly::parse("argon.xyz", atoms).map(|_| ()).map_err(|error| error.to_string());
-/// assert_eq!(
-///     refused,
-///     Err(
-///         "argon.xyz: line 2: there are no radii; give a column radius:R:1, or one radius of all by --columns \
-///          radius=all:VALUE (key `columns`)"
-///             .into()
-///     )
-/// );
-/// ```
-#[derive(Debug, thiserror::Error)]
-pub enum AssemblyError {
-    /// The file cannot be read.
-    #[error("{file}: {cause}")]
-    Read {
-        /// Name of the file.
-        file: String,
-        /// The reason.
-        #[source]
-        cause: RecordError,
-    },
-    /// A line of the file is wrong.
-    #[error("{file}: {cause}")]
-    Text {
-        /// Name of the file.
-        file: String,
-        /// The line, and what would be valid.
-        #[source]
-        cause: TextError,
-    },
-    /// A state or a checkpoint is damaged, or of another body.
-    #[error("{file}: {reason}; give a state or a checkpoint of a powder or of grains")]
-    State {
-        /// Name of the file.
-        file: String,
-        /// The reason.
-        reason: String,
-    },
-    /// Frames of a run cannot be read.
-    #[error(transparent)]
-    Frames(#[from] RecordError),
-    /// The file has no radii.
-    #[error(
-        "{file}: line {line}: there are no radii; {cure}, or one radius of all by --columns radius=all:VALUE (key `columns`)"
-    )]
-    NoRadii {
-        /// Name of the file.
-        file: String,
-        /// Line that names the columns.
-        line: usize,
-        /// How to add them.
-        cure: &'static str,
-    },
-    /// The box of the file is invalid, or its spheres do not fit the box.
-    #[error("{file}: {cause}")]
-    Space {
-        /// Name of the file.
-        file: String,
-        /// The reason.
-        #[source]
-        cause: SpaceError,
-    },
-    /// Anything else that a file or folder lacks.
-    #[error("{file}: {reason}")]
-    Content {
-        /// Name of the file or folder.
-        file: String,
-        /// What is wrong, and what would be valid.
-        reason: String,
-    },
-}
 
 /// A file that is read, and what the user says of it.
 struct Source<'a> {
@@ -488,87 +413,4 @@ fn assembly(
         (assembly.bounds, assembly.has_box) = (bounds, true);
     }
     Ok(assembly)
-}
-
-impl Assembly {
-    /// Sets the periods, `None` for an open axis, where the file does not say them. *Domain*: periods finite and
-    /// positive, no sphere out of its period; those that the file says.
-    pub fn with_periods(
-        mut self,
-        file: &str,
-        periods: [Option<f64>; 3],
-    ) -> Result<Self, AssemblyError> {
-        for (axis, name) in AXES.iter().enumerate() {
-            self.begin_at_zero(axis, periods[axis]);
-            let old = self.space.lengths()[axis];
-            let outside = |length: &f64| {
-                let mut places = self.positions.iter();
-                places.position(|place| !(0.0..=*length).contains(&place[axis]))
-            };
-            let reason = match (old, periods[axis]) {
-                (Some(old), None) if !self.is_assumed => {
-                    format!(
-                        "it says that it repeats along {name} after {old}; give {old} in place of -"
-                    )
-                }
-                (Some(old), Some(given)) if old != given => {
-                    format!("its period along {name} is {old}, not {given}")
-                }
-                (None, Some(given)) => match outside(&given) {
-                    Some(sphere) => format!(
-                        "sphere {sphere} is at {name} = {}, beyond the period from 0 to {given}",
-                        self.positions[sphere][axis]
-                    ),
-                    None => continue,
-                },
-                _ => continue,
-            };
-            return Err(AssemblyError::Content {
-                file: file.into(),
-                reason,
-            });
-        }
-        self.set_periods(file, periods)?;
-        Ok(self)
-    }
-
-    /// Moves the spheres so that the box of a file, which does not say whether it repeats, begins at 0 along an axis
-    /// whose period is its length.
-    pub(crate) fn begin_at_zero(&mut self, axis: usize, period: Option<f64>) {
-        let [low, high] = self.bounds[axis];
-        let is_its =
-            period.is_some_and(|period| ((high - low) / period - 1.0).abs() <= SAME_PERIOD);
-        if is_its
-            && self.has_box
-            && self.is_assumed
-            && self.space.lengths()[axis].is_none()
-            && low != 0.0
-        {
-            self.positions
-                .iter_mut()
-                .for_each(|place| place[axis] -= low);
-            self.bounds[axis] = [0.0, high - low];
-        }
-    }
-
-    /// Sets the periods; a new one begins at 0. An axis that is opened keeps the ends of its box.
-    pub(crate) fn set_periods(
-        &mut self,
-        file: &str,
-        periods: [Option<f64>; 3],
-    ) -> Result<(), AssemblyError> {
-        let before = self.space;
-        let leans = periods[0].is_some() && periods[2].is_some();
-        let space = PeriodicBox::new(periods).map_err(|cause| AssemblyError::Space {
-            file: file.into(),
-            cause,
-        })?;
-        self.space = space.sheared(if leans { before.offset() } else { 0.0 });
-        for (axis, bounds) in self.bounds.iter_mut().enumerate() {
-            if let (None, Some(length)) = (before.lengths()[axis], periods[axis]) {
-                *bounds = [0.0, length];
-            }
-        }
-        Ok(())
-    }
 }

@@ -31,7 +31,7 @@ pub(super) fn last_state(folder: &Path) -> Result<Assembly, AssemblyError> {
     })
 }
 
-/// The frames of a run: positions to a 130,000th of the box, normal forces to 2⁻⁸ of each.
+/// The frames of a run: positions to a 130,000th of the box, velocities and forces to 2⁻⁸ of each component.
 pub(super) fn frames(folder: &Path) -> Result<Vec<(u64, Assembly)>, AssemblyError> {
     let path = folder.join(FRAMES);
     let missing = |reason: &str| AssemblyError::Content {
@@ -54,7 +54,8 @@ pub(super) fn frames(folder: &Path) -> Result<Vec<(u64, Assembly)>, AssemblyErro
 }
 
 fn of_frame(bodies: &Bodies, frame: &Frame) -> Assembly {
-    let space = PeriodicBox::new(bodies.periods).unwrap_or_default();
+    let periods = [0, 1, 2].map(|axis| frame.period(bodies, axis));
+    let space = PeriodicBox::new(periods).unwrap_or_default();
     let space = space.sheared(frame.tilt);
     let mut assembly = Assembly::new(space, frame.places.clone(), bodies.radii.clone());
     for axis in 0..3 {
@@ -67,9 +68,16 @@ fn of_frame(bodies: &Bodies, frame: &Frame) -> Assembly {
     }
     assembly.scene = scene(&bodies.scene);
     let walls = walls(bodies.kind, &assembly.scene);
-    let row = |contact: &FrameContact| row(&assembly, &walls, contact);
-    assembly.contacts = frame.contacts.iter().filter_map(row).collect();
+    let known = frame.tangential.iter().copied().map(Some);
+    let across = known.chain(std::iter::repeat(None));
+    let row = |(contact, across)| row(&assembly, &walls, contact, across);
+    assembly.contacts = frame.contacts.iter().zip(across).filter_map(row).collect();
+    assembly.time = Some(frame.time);
     assembly.forces = KnownForces::Normal;
+    if !frame.velocities.is_empty() {
+        assembly.velocities = Some(frame.velocities.iter().map(|v| v.cast()).collect());
+        assembly.forces = KnownForces::Rounded;
+    }
     let known = |all: &Vec<f64>| !all.is_empty();
     assembly.densities = Some(bodies.densities.clone()).filter(known);
     assembly.materials = mixed(&bodies.materials).then(|| bodies.materials.clone());
@@ -83,14 +91,14 @@ fn walls(kind: Kind, scene: &Value) -> Vec<(usize, bool)> {
         return both(2).to_vec();
     }
     let is_drum = scene["container"] == "drum";
-    let mut walls = match scene["z"].as_str() {
+    let mut walls = match scene["boundary_z"].as_str() {
         // Facets stand in place of floor and sides.
         _ if is_drum => Vec::new(),
         Some("floor") => vec![(2, false)],
         Some("walls") => both(2).to_vec(),
         _ => Vec::new(),
     };
-    for (axis, key) in ["x", "y"].into_iter().enumerate() {
+    for (axis, key) in ["boundary_x", "boundary_y"].into_iter().enumerate() {
         if scene[key] == "walls" {
             walls.extend(both(axis));
         }
@@ -99,7 +107,12 @@ fn walls(kind: Kind, scene: &Value) -> Vec<(usize, bool)> {
 }
 
 /// A contact with its geometry.
-fn row(assembly: &Assembly, walls: &[(usize, bool)], contact: &FrameContact) -> Option<ContactRow> {
+fn row(
+    assembly: &Assembly,
+    walls: &[(usize, bool)],
+    contact: &FrameContact,
+    across: Option<Vector3<f32>>,
+) -> Option<ContactRow> {
     let (a, radii) = (contact.a as usize, &assembly.radii);
     let from = assembly.positions[a];
     let (way, other) = match contact.b {
@@ -122,7 +135,7 @@ fn row(assembly: &Assembly, walls: &[(usize, bool)], contact: &FrameContact) -> 
         b: contact.b,
         normal,
         gap: way.norm() - radii[a] - other,
-        force: normal * f64::from(contact.normal_force),
+        force: normal * f64::from(contact.normal_force) + across.unwrap_or_default().cast(),
         torque: Vector3::zeros(),
     })
 }

@@ -150,15 +150,23 @@ impl Script<'_> {
             for shift in &shifts {
                 let edge =
                     0.5 * (scene.width + side * scene.orifice_width) - side * shift * scene.width;
-                // The plate is as thin along x as makes its thickness across.
-                let back = edge + side * thickness / sin;
-                let [x0, x1] = [edge.min(back), edge.max(back)].map(number);
-                let [z0, z1, lean] = [bottom, bottom + run * sin / cos, side * run].map(number);
                 let name = if *shift > 0.0 {
                     format!("{name}_image")
                 } else {
                     name.into()
                 };
+                if sin == 0.0 {
+                    let far = edge + side * run;
+                    let [x0, x1] = [edge.min(far), edge.max(far)].map(number);
+                    let [z0, z1] = [bottom - thickness, bottom].map(number);
+                    let flat = format!("block {x0} {x1} {y0} {y1} {z0} {z1} side out");
+                    regions.push((name, flat));
+                    continue;
+                }
+                // The plate is as thin along x as makes its thickness across.
+                let back = edge + side * thickness / sin;
+                let [x0, x1] = [edge.min(back), edge.max(back)].map(number);
+                let [z0, z1, lean] = [bottom, bottom + run * sin / cos, side * run].map(number);
                 regions.push((
                     name,
                     format!("prism {x0} {x1} {y0} {y1} {z0} {z1} 0 {lean} 0 side out"),
