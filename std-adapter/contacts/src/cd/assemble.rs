@@ -1,5 +1,6 @@
 //! The contact problem of a step: contact search, free velocities, initial guess of the impulses.
 
+use super::cell::{image_velocity, periods};
 use super::error::WorldError;
 use super::image::{ImageVelocity, Images, seen};
 use super::impact::{self, Surroundings};
@@ -62,7 +63,8 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         let (pairs, walls) = (self.touching_pairs()?, self.touching_walls()?);
         let gaps = pairs.iter().chain(&walls).map(|(_, touch)| touch.gap);
         self.overlap = gaps.fold(0.0, |deepest, gap| deepest.max(-gap));
-        let images = self.images(&pairs);
+        let [images, periods] = self.images(&pairs);
+        let cell = self.cell_body(dt)?;
         let surfaces = self.surfaces(&walls);
         let state = &mut self.state;
         state
@@ -113,10 +115,13 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         let [pair, wall] = book.laws.normal().map(without_restitution);
         problem.pairs.clear();
         problem.images.clear();
-        let mut images = Images::new(&images);
+        // Images of a cell that deforms are told by their periods.
+        let is_rigid = cell.is_none();
+        problem.cell = cell;
+        let (mut images, mut periods) = (Images::new(&images), Images::new(&periods));
         for (number, (bodies, touch)) in pairs.iter().enumerate() {
             let [a, b] = bodies.map(|body| body as usize);
-            let image = images.of(number);
+            let (image, away) = (images.of(number), periods.of(number));
             if awake[a] || awake[b] {
                 let (a, b) = (&spheres[a], &seen(&spheres[b], image));
                 let law = match book.mixture {
@@ -125,7 +130,8 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
                 };
                 let contact = Contact::new(touch, &law, a, b, dt);
                 let number = problem.pairs.len() as u32;
-                problem.images.extend(image.map(|image| (number, image)));
+                let told = if is_rigid { image } else { away };
+                problem.images.extend(told.map(|told| (number, told)));
                 let bodies = *bodies;
                 problem.join(&Link { bodies, contact });
             }
@@ -183,19 +189,41 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         Ok(found)
     }
 
-    /// Pairs across the border of a sheared cell, with the velocities of the second spheres' images.
-    fn images(&self, pairs: &[PairGeometry]) -> Vec<ImageVelocity> {
-        if self.setup.shear_rate == 0.0 {
-            return Vec::new();
+    /// Pairs across the border of a cell whose images move, with the velocities of the second spheres' images; and with the
+    /// whole periods from these to the spheres, if it deforms.
+    fn images(&self, pairs: &[PairGeometry]) -> [Vec<ImageVelocity>; 2] {
+        let positions = &self.state.positions;
+        let way = |[a, b]: [u32; 2]| [a, b].map(|body| positions[body as usize]);
+        if let Some(cell) = &self.state.cell {
+            let away = |(number, (bodies, _)): (usize, &PairGeometry)| {
+                let [a, b] = way(*bodies);
+                let near = cell.space.displacement(&a, &b);
+                let periods = periods(&(b - a - near), &cell.space);
+                (periods != [0.0; 3]).then_some((number as u32, periods.into()))
+            };
+            let away: Vec<ImageVelocity> = pairs.iter().enumerate().filter_map(away).collect();
+            let faster = self.level_velocity().x;
+            let velocity = |(number, away): &ImageVelocity| {
+                let velocity = -image_velocity(&(*away).into(), &cell.speeds, faster);
+                (*number, velocity)
+            };
+            return [away.iter().map(velocity).collect(), away];
         }
-        let (positions, space) = (&self.state.positions, &self.setup.space);
+        if self.setup.shear_rate == 0.0 {
+            return [Vec::new(), Vec::new()];
+        }
+        let space = &self.setup.space;
         let faster = self.level_velocity();
-        let image = |(number, ([a, b], _)): (usize, &PairGeometry)| {
+        let image = |(number, (bodies, _)): (usize, &PairGeometry)| {
+            let [a, b] = way(*bodies);
             // The displacement leaves these whole periods out.
-            let levels = space.levels(positions[*b as usize].z - positions[*a as usize].z);
+            let levels = space.levels(b.z - a.z);
             (levels != 0.0).then_some((number as u32, faster * -levels))
         };
-        pairs.iter().enumerate().filter_map(image).collect()
+        [
+            pairs.iter().enumerate().filter_map(image).collect(),
+            Vec::new(),
+        ]
     }
 
     /// Points of the mesh at the contacts with walls; none without a mesh.

@@ -121,6 +121,12 @@ pub enum WorldError {
         /// Value given.
         given: f64,
     },
+    /// A deforming cell of rigid spheres has what it cannot have.
+    #[error(
+        "a deforming cell of rigid spheres has no restitution, walls, mesh or spheres that keep their motion, and nothing in it \
+         sleeps"
+    )]
+    RigidCell,
     /// The axes of a cell under a stress have no mass.
     #[error(
         "the mass of an axis of the cell under a stress must be positive and finite, not {given}"

@@ -120,6 +120,7 @@ mod tests {
             mixture: None,
             gravity: Vector3::zeros(),
             shear_rate: 0.0,
+            cell: None,
             step_limits: StepLimits {
                 longest: 0.01,
                 motion: 0.1,

@@ -25,6 +25,9 @@
 mod accelerated;
 mod aligned;
 mod assemble;
+pub(crate) mod cell;
+#[cfg(test)]
+mod cell_tests;
 mod energy;
 mod error;
 mod four_contacts;
@@ -65,8 +68,8 @@ mod wall;
 mod wall_tests;
 mod world;
 
+pub use cell::{AxisControl, CellControl, CellState};
 pub use energy::EnergyBalance;
-pub(crate) use energy::kinetic_energy;
 pub use error::WorldError;
 pub use gauss_seidel::{IterationOrder, Iterations, StopRule};
 pub use mesh::{Mesh, MeshError};

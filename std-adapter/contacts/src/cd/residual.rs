@@ -6,6 +6,7 @@
 //! Each bound P is held where [`crate::problem::residual`] moves it with the normal impulse: any convex set, and a gap
 //! that a resistance holds open, have a map then. Both are zero for the same impulses; their sizes differ.
 
+use super::cell::CellBody;
 use super::operator::largest;
 use super::spheres::{Link, Spheres};
 use nalgebra::Vector3;
@@ -115,12 +116,20 @@ where
 {
     let (spheres, plates) = velocities(problem);
     let mut sum = Sum::default();
-    let mut images = problem.images.iter().peekable();
+    let mut images = problem.images.iter().enumerate().peekable();
+    // A cell that deforms moves its images as the impulses say.
+    let cell = problem.cell.clone().map(|cell| CellBody {
+        speeds: problem.cell_speeds(&cell),
+        ..cell
+    });
     for (number, link) in problem.pairs.iter().enumerate() {
         let [a, b] = link.bodies.map(|body| spheres[body as usize]);
         // An image moves faster than its sphere.
-        let faster = images.next_if(|(pair, _)| *pair as usize == number);
-        let velocity = faster.map_or(b.velocity, |(_, faster)| b.velocity + faster);
+        let faster = images.next_if(|(_, (pair, _))| *pair as usize == number);
+        let velocity = faster.map_or(b.velocity, |(image, (_, velocity))| {
+            let moved = cell.as_ref().map(|cell| cell.image(&cell.periods[image]));
+            b.velocity + moved.unwrap_or(*velocity)
+        });
         let b = SphereBody { velocity, ..b };
         sum.add(
             &link,

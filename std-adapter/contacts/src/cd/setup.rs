@@ -1,6 +1,8 @@
 //! Initial state, laws and parameters of a world.
 
+use super::cell::{self, CellControl};
 use super::error::WorldError;
+use super::impact;
 use super::mixture::{LawBook, MaterialTable};
 use super::moving_mesh::MovingMesh;
 use super::shear::flow;
@@ -109,6 +111,8 @@ pub struct WorldSetup<F> {
     /// Rate of a simple shear, the velocity along x over the height along z; 0 for none. It needs periods along
     /// both axes; see [`WorldSetup::sheared`].
     pub shear_rate: f64,
+    /// How the periodic cell is deformed; none if it keeps its lengths. See [`WorldSetup::deforming`].
+    pub cell: Option<CellControl>,
     /// Limits of the time step.
     pub step_limits: StepLimits,
     /// How contacts are solved.
@@ -133,6 +137,7 @@ impl<F> WorldSetup<F> {
             mixture: None,
             gravity: Vector3::zeros(),
             shear_rate: 0.0,
+            cell: None,
             step_limits: StepLimits::default(),
             solver: ContactSolver::default(),
             sleep_speed: 0.0,
@@ -192,6 +197,59 @@ impl<F> WorldSetup<F> {
         self
     }
 
+    /// Deforms the periodic cell, and adds the velocity of its flow to every sphere given so far.
+    ///
+    /// *Domain*: controls of periodic axes; no restitution, walls, mesh, or spheres that keep their motion; nothing sleeps.
+    ///
+    /// ```
+    /// use tribos::cd::{AxisControl, CellControl, WorldMaterials, WorldSetup, World, solid};
+    /// use tribos::kernel::contact::{Cohesion, NormalLaw, IndependentFriction};
+    /// use tribos::kernel::nalgebra::Vector3;
+    /// use tribos::space::PeriodicBox;
+    /// let laws = WorldMaterials::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::none());
+    /// // 27 spheres of radius 1 in rows, pressed until they touch by 1 kPa along each axis.
+    /// let mut setup = WorldSetup::new(laws);
+    /// setup.space = PeriodicBox::new([Some(6.15); 3])?;
+    /// for site in 0..27 {
+    ///     let place = [1, 3, 9].map(|stride| 1.0 + 2.05 * f64::from(site / stride % 3));
+    ///     setup = setup.sphere(Vector3::from(place), 1.0, solid(1.0, 1.0));
+    /// }
+    /// let cell = CellControl { axes: [AxisControl::Stress(1e3); 3], shear_rate: 0.0, mass: 100.0 };
+    /// let mut world = World::new(setup.deforming(cell))?;
+    /// while world.state().time < 0.5 {
+    ///     assert!(world.step()?.is_met());
+    /// }
+    /// // Each of the nine contacts across a face carries a ninth of P L².
+    /// assert!((world.space().lengths()[0].unwrap_or(0.0) - 6.0).abs() < 1e-6);
+    /// let force = world.state().memory.forces[0][0].1.normal;
+    /// assert!((force - 1e3 * 36.0 / 9.0).abs() < 1e-5 * force);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn deforming(mut self, control: CellControl) -> Self {
+        let speeds = control.given_speeds();
+        for (x, sphere) in self.positions.iter().zip(&mut self.spheres) {
+            sphere.velocity += cell::flow(&self.space, &speeds, control.shear_rate, x);
+        }
+        (self.cell, self.shear_rate) = (Some(control), control.shear_rate);
+        self
+    }
+
+    /// Refuses a cell that cannot be deformed.
+    fn check_cell(&self) -> Result<(), WorldError> {
+        let Some(cell) = &self.cell else {
+            return Ok(());
+        };
+        cell.check(&self.space)?;
+        let is_alone = self.walls.is_empty() && self.mesh.is_none() && self.sleep_speed == 0.0;
+        let bounces = impact::has_restitution(self.book());
+        if is_alone && !bounces && !self.spheres.iter().any(keeps_motion) {
+            Ok(())
+        } else {
+            Err(WorldError::RigidCell)
+        }
+    }
+
     /// The laws of the bodies.
     #[doc(hidden)]
     pub fn book(&self) -> LawBook<'_, F> {
@@ -247,6 +305,7 @@ impl<F> WorldSetup<F> {
             return Err(WorldError::Gravity);
         }
         self.check_shear()?;
+        self.check_cell()?;
         let fits = |mixture: &MaterialTable<F>| mixture.fits(spheres, self.walls.len());
         if !self.mixture.as_ref().is_none_or(fits) {
             return Err(WorldError::Mixture);

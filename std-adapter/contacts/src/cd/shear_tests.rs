@@ -12,9 +12,9 @@ use tribos_core::contact::{
     AllModes, Cohesion, ContactFriction, IndependentFriction, NormalLaw, SlidingOnly, SphereBody,
 };
 
-type Answer = Result<(), Box<dyn std::error::Error>>;
+pub(super) type Answer = Result<(), Box<dyn std::error::Error>>;
 
-fn laws(
+pub(super) fn laws(
     restitution: f64,
 ) -> Result<WorldMaterials<IndependentFriction<f64, AllModes>>, tribos_core::law::LawError> {
     let normal = NormalLaw::new(Cohesion::NONE, restitution)?;
@@ -24,7 +24,7 @@ fn laws(
     ))
 }
 
-fn solver(tolerance: f64) -> ContactSolver {
+pub(super) fn solver(tolerance: f64) -> ContactSolver {
     ContactSolver {
         method: SolverMethod::Accelerated { tolerance },
         most_sweeps: 5_000,
@@ -33,7 +33,7 @@ fn solver(tolerance: f64) -> ContactSolver {
 }
 
 /// A lattice of spheres of radius 1 with random velocities, sheared. *Units*: density 1.
-fn gas<F: ContactFriction<f64>>(
+pub(super) fn gas<F: ContactFriction<f64>>(
     laws: WorldMaterials<F>,
     counts: [usize; 3],
     spacing: f64,

@@ -1,6 +1,7 @@
 //! The contact problem of spheres and plates.
 
 use super::aligned::Aligned;
+use super::cell::CellBody;
 use super::image::{ImageVelocity, Images, seen};
 use super::mixture::{MaterialTable, PairFriction, Same};
 use super::momentum::{Moving, extrapolate};
@@ -9,7 +10,8 @@ use super::operator::{Impulse, Monitor, Operator, Visit};
 use super::pairs::Pairs;
 use super::schedule::Schedule;
 use super::sweep::{
-    AHEAD, Stretch, SweepDirection, WORTHWHILE, fetch, solve_one, sweep_images, sweep_pairs, visit,
+    AHEAD, Border, Stretch, SweepDirection, WORTHWHILE, fetch, solve_one, sweep_images,
+    sweep_pairs, visit,
 };
 use super::vectors::Constants;
 use rayon::prelude::*;
@@ -81,6 +83,9 @@ pub struct Spheres<F: ContactFriction<f64>> {
     pub pairs: Pairs<F::Modes>,
     /// Pairs whose second sphere takes part as an image across the border of a sheared cell, in ascending order.
     pub images: Vec<ImageVelocity>,
+    /// Axes of a cell that deforms: with these the images begin as whole periods, and have velocities after
+    /// [`Spheres::start`].
+    pub cell: Option<CellBody>,
     /// Contacts of a sphere with a plate, or with a mesh, whose numbers follow those of the plates.
     pub walls: Vec<Link<F::Modes>>,
     /// Points of the mesh at these contacts, one a contact with plates too; none without a mesh.
@@ -104,6 +109,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             free: (Vec::new(), Vec::new()),
             pairs: Pairs::default(),
             images: Vec::new(),
+            cell: None,
             walls: Vec::new(),
             surfaces: Vec::new(),
             friction,
@@ -124,6 +130,14 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         let count = self.free.0.len();
         let schedule = &mut self.schedule;
         schedule.arrange(count, self.pairs.view(), &mut self.images);
+        if let Some(cell) = &mut self.cell {
+            cell.periods.clear();
+            let periods = self
+                .images
+                .iter()
+                .map(|(_, periods)| <[f64; 3]>::from(*periods));
+            cell.periods.extend(periods);
+        }
         self.pairs.arrange(&schedule.order(), schedule.parts());
         self.lanes = match &self.mixture {
             None => self.friction[0]
@@ -334,7 +348,13 @@ impl<F: ContactFriction<f64>> Spheres<F> {
             impulses: &mut impulses[border],
         };
         let spheres = &mut self.spheres[..];
-        sweep_images(stretch, &self.images, spheres, friction, way, watch);
+        let border = Border {
+            images: &self.images,
+            cell: self.cell.as_mut(),
+            first: 0,
+        };
+        sweep_images(stretch, border, spheres, friction, way, watch);
+        self.move_images();
     }
 
     fn extrapolate_with(
@@ -356,6 +376,7 @@ impl<F: ContactFriction<f64>> Spheres<F> {
         }
         swept.append(&mut at_walls);
         self.apply_walls();
+        self.follow_cell();
     }
 
     /// Applies the impulses of pairs further on, and puts them in the place of those after the sweep before.
@@ -448,25 +469,17 @@ impl<F: ContactFriction<f64>> Spheres<F> {
                 swept: &[],
                 lanes: None,
             };
-            let images = &self.images[image..];
+            let border = Border {
+                images: &self.images[image..],
+                cell: self.cell.as_mut(),
+                first: image,
+            };
+            let way = SweepDirection::Forward;
             match both {
-                None => sweep_images(
-                    stretch,
-                    images,
-                    spheres,
-                    &one,
-                    SweepDirection::Forward,
-                    watch,
-                ),
-                Some(both) => sweep_images(
-                    stretch,
-                    images,
-                    spheres,
-                    both,
-                    SweepDirection::Forward,
-                    watch,
-                ),
+                None => sweep_images(stretch, border, spheres, &one, way, watch),
+                Some(both) => sweep_images(stretch, border, spheres, both, way, watch),
             }
+            self.move_images();
         }
     }
 
@@ -553,6 +566,7 @@ impl<F: ContactFriction<f64>> Operator for Spheres<F> {
             }
         }
         self.apply_walls();
+        self.follow_cell();
     }
 
     fn sweep_on<W: Monitor>(&mut self, swept: &[Self::Impulse], watch: &mut W) {

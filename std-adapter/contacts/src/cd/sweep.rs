@@ -1,6 +1,7 @@
 //! Sweeps over the pairs of spheres: one after the other, or four at a time.
 
 use super::aligned::Aligned;
+use super::cell::CellBody;
 use super::four_contacts::{self, Records};
 use super::image::{Image, ImageVelocity};
 use super::mixture::PairFriction;
@@ -294,10 +295,22 @@ pub(super) fn fetch_four(soon: Option<&Quad>, spheres: &[Aligned], first: u32) {
     }
 }
 
+/// Images that pairs are solved with, and the cell that they move with if it deforms.
+pub(super) struct Border<'a> {
+    pub images: &'a [ImageVelocity],
+    pub cell: Option<&'a mut CellBody>,
+    /// Number of the first of the images among all.
+    pub first: usize,
+}
+
 /// Solves pairs with an image one after the other.
 pub(super) fn sweep_images<F: ContactFriction<f64>, W: Monitor>(
     stretch: Stretch<'_, F::Modes>,
-    images: &[ImageVelocity],
+    Border {
+        images,
+        mut cell,
+        first,
+    }: Border<'_>,
     spheres: &mut [Aligned],
     friction: &impl PairFriction<F>,
     way: SweepDirection,
@@ -319,12 +332,24 @@ pub(super) fn sweep_images<F: ContactFriction<f64>, W: Monitor>(
             };
             let bodies = numbers.map(|body| body as usize);
             if let Ok([a, sphere]) = spheres.get_disjoint_mut(bodies) {
-                let (velocity, friction) = (*velocity, friction.of(numbers));
+                let friction = friction.of(numbers);
+                let mut moves = cell.as_deref_mut().and_then(|cell| {
+                    let periods = *cell.periods.get(first + own)?;
+                    Some((cell, periods))
+                });
+                let velocity = match &moves {
+                    None => *velocity,
+                    Some((cell, periods)) => cell.image(periods),
+                };
                 let sphere = &mut sphere.0;
                 let mut image = Image { sphere, velocity };
                 let turn =
                     |contact: &mut Contact<_, _>| contact.take_turn(friction, &mut a.0, &mut image);
                 visit(&mut contact, swept.get(own), turn).tell(watch);
+                if let Some((cell, periods)) = &mut moves {
+                    let change = contact.impulse().minus(impulse);
+                    cell.push(periods, &change.linear(contact.normal()));
+                }
                 *impulse = *contact.impulse();
             }
         };

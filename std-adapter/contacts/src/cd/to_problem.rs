@@ -28,8 +28,11 @@ struct Freedoms {
 
 impl<F: ContactFriction<f64> + Coefficients> Spheres<F> {
     /// The problem as data; `None` if one of its laws has no such form: sliding and torsion under a common set that
-    /// is no ellipsoid, or an open gap under a resistance.
+    /// is no ellipsoid, or an open gap under a resistance, and of a cell that deforms.
     pub fn to_problem(&self) -> Option<PosedProblem> {
+        if self.cell.is_some() {
+            return None;
+        }
         let mut posing = Posing::<F::Modes>::new(self);
         let mut images = Images::new(&self.images);
         for (number, link) in self.pairs.iter().enumerate() {

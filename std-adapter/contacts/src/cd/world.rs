@@ -1,5 +1,6 @@
 //! Motion of spheres and plates: implicit time stepping with contact impulses (Moreau and Jean).
 
+use super::cell::{CellBody, CellState};
 use super::energy::EnergyBalance;
 use super::error::WorldError;
 use super::gauss_seidel::Iterations;
@@ -71,6 +72,8 @@ pub struct WorldState<M: ContactModes<f64>> {
     pub walls: Vec<Wall>,
     /// Displacement along x of the images one period higher along z, from 0 to the period; 0 without a shear.
     pub shear_offset: f64,
+    /// The box and the speeds of its lengths, if it deforms.
+    pub cell: Option<CellState>,
     /// Energy balance so far.
     pub energy: EnergyBalance,
     /// Contact forces of the last step, used as the initial guess for the next one.
@@ -141,6 +144,10 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             spheres: setup.spheres.clone(),
             walls: setup.walls.clone(),
             shear_offset: 0.0,
+            cell: setup.cell.map(|cell| CellState {
+                space: setup.space,
+                speeds: cell.given_speeds(),
+            }),
             energy: EnergyBalance::default(),
             memory: Memory::default(),
             impacts: Memory::default(),
@@ -213,9 +220,11 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
                 .workspace
                 .solve(&self.setup.solver, &mut self.problem, step);
             let speed = self.fastest(self.problem.moving(), &self.problem.plates)?;
+            let images = self.problem.cell.as_ref().map_or(0.0, CellBody::fastest);
+            let speed = speed.max(images);
             // Contacts were searched up to the distance that two bodies can cover with this motion.
             if speed * dt <= 2.0 * self.setup.step_limits.motion {
-                return Ok(self.apply_step(dt, answer));
+                return self.apply_step(dt, answer);
             }
             dt *= 0.5;
         }
@@ -231,7 +240,8 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         let speed = self.fastest(spheres.iter(), &plates).unwrap_or(0.0);
         let pull = |wall: &Wall| (wall.force * wall.plate.inv_mass).abs();
         let pushed = walls.iter().map(pull).fold(0.0, f64::max);
-        let acceleration = pushed.max(self.setup.gravity.norm());
+        let [_, pulled] = self.cell_motion();
+        let acceleration = pushed.max(self.setup.gravity.norm()).max(pulled);
         let step_limits = &self.setup.step_limits;
         // v dt + a dt² = motion
         let root = (speed * speed + 4.0 * acceleration * step_limits.motion).sqrt();
@@ -266,7 +276,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
     }
 
     /// Applies the solution: velocities, positions, memory, energy.
-    fn apply_step(&mut self, dt: f64, answer: Answer) -> StepReport {
+    fn apply_step(&mut self, dt: f64, answer: Answer) -> Result<StepReport, WorldError> {
         let residual = residual(&self.problem);
         let (problem, state) = (&self.problem, &mut self.state);
         let (mut before, mut loaded) = ((&state.spheres[..], &state.walls[..]), dt);
@@ -301,13 +311,14 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         state.time += dt;
         state.steps += 1;
         self.shear(dt);
+        self.drift_cell(dt)?;
         let (problem, state) = (&self.problem, &mut self.state);
         let contacts = problem.contacts();
         state.impacts.forces = self.impacts.mean_forces(dt);
         if counts.impacts > 0 {
             self.impacts.add_to(&mut self.problem);
         }
-        StepReport {
+        Ok(StepReport {
             dt,
             iterations: answer.iterations,
             handed_over: answer.handed_over,
@@ -319,6 +330,6 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             impacts_unmet: counts.unmet,
             awake,
             overlap: self.overlap,
-        }
+        })
     }
 }

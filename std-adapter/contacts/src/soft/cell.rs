@@ -13,59 +13,10 @@
 //! that leaves the cell goes on as its image inside, with the velocity of the image.
 
 use super::world::SoftWorld;
-use crate::cd::{WorldError, keeps_motion, kinetic_energy};
+use crate::cd::cell::{carry_on, flow, image, stretched};
+use crate::cd::{AxisControl, WorldError, keeps_motion};
 use nalgebra::Vector3;
-use tribos_base::space::PeriodicBox;
 use tribos_core::contact::ContactFriction;
-
-/// What the length of a periodic axis follows.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum AxisControl {
-    /// Nothing: it stays.
-    #[default]
-    Fixed,
-    /// A speed L'; negative compresses.
-    Speed(f64),
-    /// A stress, positive in compression.
-    Stress(f64),
-}
-
-/// How a periodic cell is deformed.
-///
-/// ```
-/// use tribos::cd::{WorldMaterials, solid};
-/// use tribos::kernel::contact::{Cohesion, NormalLaw, IndependentFriction};
-/// use tribos::kernel::nalgebra::Vector3;
-/// use tribos::soft::{AxisControl, CellControl, SoftSetup, SoftWorld, Stiffness};
-/// use tribos::space::PeriodicBox;
-/// let laws = WorldMaterials::uniform(NormalLaw::new(Cohesion::NONE, 0.0)?, IndependentFriction::none());
-/// // 27 spheres of radius 1 in rows, pressed to touch their neighbours by 1 kPa along each axis.
-/// let mut setup = SoftSetup::new(laws, Stiffness::Linear(1e5));
-/// setup.space = PeriodicBox::new([Some(6.15); 3])?;
-/// for site in 0..27 {
-///     let place = [1, 3, 9].map(|stride| 1.0 + 2.05 * f64::from(site / stride % 3));
-///     setup = setup.sphere(Vector3::from(place), 1.0, solid(1.0, 1.0));
-/// }
-/// setup.cell = Some(CellControl { axes: [AxisControl::Stress(1e3); 3], shear_rate: 0.0, mass: 30.0 });
-/// let mut world = SoftWorld::new(setup)?;
-/// while world.state().time < 1.0 {
-///     world.step()?;
-/// }
-/// // Each of the nine contacts across a face carries a ninth of P L².
-/// let [length, ..] = world.state().space.lengths().map(|length| length.unwrap_or(0.0));
-/// let overlap = 2.0 - length / 3.0;
-/// assert!((1e5 * overlap - 1e3 * length * length / 9.0).abs() < 1.0);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct CellControl {
-    /// Controls of the axes x, y, z; of those that repeat.
-    pub axes: [AxisControl; 3],
-    /// Speed along x over height along z.
-    pub shear_rate: f64,
-    /// Mass M of every axis under a stress.
-    pub mass: f64,
-}
 
 /// Loads of the contacts on a cell.
 #[derive(Clone, Copy, Debug, Default)]
@@ -74,54 +25,6 @@ pub(super) struct CellLoads {
     pub virial: Vector3<f64>,
     /// Σ f · (velocity of the second body's image against itself).
     pub crossing: f64,
-}
-
-impl CellControl {
-    /// Refuses controls of axes that do not repeat, or without numbers.
-    pub(super) fn check(&self, space: &PeriodicBox) -> Result<(), WorldError> {
-        for (axis, (control, length)) in self.axes.iter().zip(space.lengths()).enumerate() {
-            let given = match control {
-                AxisControl::Fixed => continue,
-                AxisControl::Speed(given) | AxisControl::Stress(given) => *given,
-            };
-            if !given.is_finite() || length.is_none() {
-                return Err(WorldError::Cell { axis, given });
-            }
-        }
-        let [along, _, height] = space.lengths();
-        let rate = self.shear_rate;
-        if !rate.is_finite() || (rate != 0.0 && (along.is_none() || height.is_none())) {
-            return Err(WorldError::Shear { rate });
-        }
-        let follows = |control: &AxisControl| matches!(control, AxisControl::Stress(_));
-        if self.axes.iter().any(follows) && !(self.mass > 0.0 && self.mass.is_finite()) {
-            return Err(WorldError::CellMass { given: self.mass });
-        }
-        Ok(())
-    }
-
-    /// Whether an axis may change its length.
-    fn deforms(&self) -> bool {
-        self.axes != [AxisControl::Fixed; 3]
-    }
-}
-
-/// Velocity of the flow at a place of a cell: uniform strain, and shear about the middle of its height.
-pub(super) fn flow(
-    space: &PeriodicBox,
-    speeds: &[f64; 3],
-    shear_rate: f64,
-    x: &Vector3<f64>,
-) -> Vector3<f64> {
-    let mut flow = Vector3::zeros();
-    for (axis, length) in space.lengths().into_iter().enumerate() {
-        if let Some(length) = length {
-            flow[axis] = x[axis] / length * speeds[axis];
-        }
-    }
-    let middle = 0.5 * space.lengths()[2].unwrap_or(0.0);
-    flow.x += shear_rate * (x.z - middle);
-    flow
 }
 
 impl<F: ContactFriction<f64>> SoftWorld<F> {
@@ -202,47 +105,15 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             return Ok(());
         };
         let state = &mut self.state;
-        let mut lengths = state.space.lengths();
-        let faster = cell.shear_rate * lengths[2].unwrap_or(0.0);
-        let mut images = faster.abs();
-        for (length, speed) in lengths.iter_mut().zip(state.speeds) {
-            *length = length.map(|length| length + speed * dt);
-            images += speed.abs();
-        }
+        let faster = cell.shear_rate * state.space.lengths()[2].unwrap_or(0.0);
+        let images = faster.abs() + state.speeds.iter().map(|speed| speed.abs()).sum::<f64>();
         self.image_drift += images * dt;
         let step = state.steps;
-        let space =
-            PeriodicBox::new(lengths).map_err(|cause| WorldError::Neighbours { step, cause })?;
-        let offset = state.space.offset() + faster * dt;
-        let offset = lengths[0].map_or(0.0, |length| offset.rem_euclid(length));
-        state.space = space.sheared(offset);
-
-        let jumps = [lengths[0], lengths[1], lengths[2]].map(|length| length.unwrap_or(0.0));
-        for (body, sphere) in state.spheres.iter_mut().enumerate() {
-            let x = &mut state.positions[body];
-            let inside = state.space.wrap(x);
-            let apart = *x - inside;
-            if apart == Vector3::zeros() {
-                continue;
-            }
-            let periods = periods(&apart, &state.space);
-            if periods == [0.0; 3] {
-                continue;
-            }
-            let jump = Vector3::new(
-                periods[0] * jumps[0] + periods[2] * state.space.offset(),
-                periods[1] * jumps[1],
-                periods[2] * jumps[2],
-            );
-            *x -= jump;
-            if let Some(listed) = self.listed_at.get_mut(body) {
-                *listed -= jump;
-            }
-            let old = sphere.velocity;
-            sphere.velocity -= image_velocity(&periods, &state.speeds, faster);
-            let energy = |velocity| kinetic_energy(sphere, velocity, &sphere.spin);
-            state.energy.work += energy(&sphere.velocity) - energy(&old);
-        }
+        state.space = stretched(&state.space, &state.speeds, faster * dt, dt)
+            .map_err(|cause| WorldError::Neighbours { step, cause })?;
+        let bodies = (&mut state.spheres[..], &mut state.positions[..]);
+        let images = (&state.space, &state.speeds, faster);
+        state.energy.work += carry_on(images, bodies, &mut self.listed_at);
         Ok(())
     }
 
@@ -282,37 +153,4 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             sphere.velocity += flow(&state.space, &state.speeds, cell.shear_rate, x);
         }
     }
-}
-
-/// Whole periods between a place and its image, from their distance.
-fn periods(apart: &Vector3<f64>, space: &PeriodicBox) -> [f64; 3] {
-    let [x, y, z] = space.lengths();
-    let count = |distance: f64, length: Option<f64>| {
-        length.map_or(0.0, |length| (distance / length).round())
-    };
-    let levels = count(apart.z, z);
-    [
-        count(apart.x - levels * space.offset(), x),
-        count(apart.y, y),
-        levels,
-    ]
-}
-
-/// Velocity of the image that many periods away, against the sphere itself.
-fn image_velocity(periods: &[f64; 3], speeds: &[f64; 3], faster: f64) -> Vector3<f64> {
-    let [x, y, z] = periods;
-    Vector3::new(x * speeds[0] + z * faster, y * speeds[1], z * speeds[2])
-}
-
-/// Vector from a sphere to the nearest image of another, and the velocity of that image against the other itself.
-pub(super) fn image(
-    space: &PeriodicBox,
-    speeds: &[f64; 3],
-    shear_rate: f64,
-    [a, b]: [&Vector3<f64>; 2],
-) -> (Vector3<f64>, Vector3<f64>) {
-    let near = space.displacement(a, b);
-    let periods = periods(&(b - a - near), space);
-    let faster = shear_rate * space.lengths()[2].unwrap_or(0.0);
-    (near, -image_velocity(&periods, speeds, faster))
 }

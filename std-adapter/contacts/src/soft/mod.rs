@@ -39,7 +39,6 @@ mod step_length;
 mod transport;
 mod world;
 
-pub use cell::{AxisControl, CellControl};
 pub use contact::SoftContact;
 pub use law::Stiffness;
 #[doc(hidden)]

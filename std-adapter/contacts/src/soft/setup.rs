@@ -1,9 +1,8 @@
 //! Initial state, laws and parameters of a world of soft spheres.
 
-use super::cell::CellControl;
 use super::law::Law;
 use super::law::Stiffness;
-use crate::cd::{self, MovingMesh, StepLimits, Wall, WorldError, WorldMaterials};
+use crate::cd::{self, CellControl, MovingMesh, StepLimits, Wall, WorldError, WorldMaterials};
 use nalgebra::Vector3;
 use tribos_base::space::PeriodicBox;
 use tribos_core::contact::{Attraction, SphereBody};

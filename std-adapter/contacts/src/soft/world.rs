@@ -1,11 +1,12 @@
 //! Motion of soft spheres and plates: leapfrog, with velocities at the ends of the steps.
 
-use super::cell::{self, CellLoads};
+use super::cell::CellLoads;
 use super::contact::{Energies, Motion, SoftContact};
 use super::law::Law;
 use super::mesh::{Met, find};
 use super::setup::SoftSetup;
 use super::step_length::{StepLength, fastest};
+use crate::cd::cell::image;
 use crate::cd::{
     EnergyBalance, Facing, Iterations, MovingMesh, StepReport, Wall, WorldError, keeps_motion,
 };
@@ -441,7 +442,7 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             let between = [&positions[i], &positions[j]];
             let (apart, border) = match cell {
                 None => (space.displacement(between[0], between[1]), Vector3::zeros()),
-                Some(cell) => cell::image(space, speeds, cell.shear_rate, between),
+                Some(cell) => image(space, speeds, cell.shear_rate, between),
             };
             let gap = apart.norm() - (radii[i] + radii[j]);
             if is_apart(gap, pair.cohesion.range()) {

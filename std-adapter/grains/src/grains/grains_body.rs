@@ -22,8 +22,8 @@ use tribos_base::golden::{Measure, Measurement};
 use tribos_base::record::CheckpointError;
 use tribos_base::record::checkpoint::damaged;
 use tribos_base::record::frames::Kind;
+use tribos_contacts::cd::{AxisControl, CellControl};
 use tribos_contacts::cd::{MovingMesh, Wall};
-use tribos_contacts::soft::{AxisControl, CellControl};
 
 /// Slow steps after which the grains count as at rest.
 const SLOW_STEPS: u64 = 100;

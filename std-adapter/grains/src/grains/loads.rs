@@ -8,8 +8,8 @@ use crate::grains::scene::{Axis, GrainsScene};
 use crate::packing::{InitialSpheres, Packing};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
+use tribos_contacts::cd::AxisControl;
 use tribos_contacts::cd::Rectangle;
-use tribos_contacts::soft::AxisControl;
 
 /// How a wall is driven along its normal.
 #[derive(Clone, Debug)]

@@ -204,19 +204,19 @@ scene! {
     gravity: Ramp = Ramp::from(9.81), "m/s^2", RAMP_NOT_NEGATIVE;
     /// Angle by which gravity leans from -z towards x.
     gravity_angle: Ramp = Ramp::from(0.0), "degree", RAMP;
-    /// Stress on the wall at the far end of x, which moves as a piston; where x is periodic and `method` is soft, on the box.
+    /// Stress on the wall at the far end of x, which moves as a piston; where x is periodic, on the box.
     wall_stress_x was pressure_x: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE;
-    /// Stress on the wall at the far end of y, which moves as a piston; where y is periodic and `method` is soft, on the box.
+    /// Stress on the wall at the far end of y, which moves as a piston; where y is periodic, on the box.
     wall_stress_y was pressure_y: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE;
-    /// Stress on the plate above, which moves as a piston without weight; where z is periodic and `method` is soft, on the box.
+    /// Stress on the plate above, which moves as a piston without weight; where z is periodic, on the box.
     wall_stress_z was pressure_z: Option<Ramp> = None, "Pa", RAMP_NOT_NEGATIVE;
     /// Mass of every piston, and of each axis of a box under a stress; that of all grains together if it is left out.
     piston_mass: Option<f64> = None, "kg", Positive;
-    /// Speed of the wall at the far end of x along x, or at which the period along x grows (soft grains); negative compresses.
+    /// Speed of the wall at the far end of x along x, or at which the period along x grows; negative compresses.
     wall_velocity_x was velocity_x: Option<Ramp> = None, "m/s", RAMP;
-    /// Speed of the wall at the far end of y along y, or at which the period along y grows (soft grains); negative compresses.
+    /// Speed of the wall at the far end of y along y, or at which the period along y grows; negative compresses.
     wall_velocity_y was velocity_y: Option<Ramp> = None, "m/s", RAMP;
-    /// Speed of the plate above along z, or at which the period along z grows (soft grains); negative compresses.
+    /// Speed of the plate above along z, or at which the period along z grows; negative compresses.
     wall_velocity_z was velocity_z: Option<Ramp> = None, "m/s", RAMP;
     /// Speed of the plate above along x, which shears the grains.
     lid_speed_x was plate_speed: Ramp = Ramp::from(0.0), "m/s", RAMP, OnlyWith("boundary_z", "walls");
@@ -577,6 +577,12 @@ impl GrainsScene {
             .any(|axis| self.is_periodic(*axis) && driven(axis))
     }
 
+    /// Whether anything but images bounds the box; a plane has no period along y.
+    fn has_walls(&self) -> bool {
+        let mut axes = [Axis::X, Axis::Y, Axis::Z].into_iter();
+        axes.any(|axis| !self.is_periodic(axis) && !(axis == Axis::Y && self.is_flat()))
+    }
+
     /// Whether the scene adds bodies that no force moves.
     fn has_bound(&self) -> bool {
         self.rough_floor.is_some()
@@ -591,9 +597,16 @@ impl GrainsScene {
             Some("has no wall and no period to move: a drum and a plane have none")
         } else if axis == Axis::Z && self.boundary_z == EndBoundary::Floor {
             Some("needs boundary_z = \"walls\" or \"periodic\"; above a floor the box is open")
-        } else if self.is_periodic(axis) && self.method != ContactMethod::Soft {
+        } else if self.is_periodic(axis) && self.method != ContactMethod::Soft && self.has_walls() {
             Some(
-                "moves a wall; a periodic box that deforms needs method = \"soft\", a wall the boundary \"walls\"",
+                "deforms a periodic box of rigid grains, which then has no walls; method = \"soft\" may have some",
+            )
+        } else if self.is_periodic(axis)
+            && self.method != ContactMethod::Soft
+            && self.restitution > 0.0
+        {
+            Some(
+                "deforms the box: rigid grains in it need restitution = 0, and method = \"soft\" takes any",
             )
         } else {
             None

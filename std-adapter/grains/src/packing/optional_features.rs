@@ -3,8 +3,7 @@
 use super::Material;
 use nalgebra::Vector3;
 use tribos_base::random::Random;
-use tribos_contacts::cd::{MovingMesh, solid};
-use tribos_contacts::soft::CellControl;
+use tribos_contacts::cd::{CellControl, MovingMesh, solid};
 use tribos_core::contact::SphereBody;
 
 /// What most bodies have nothing of.
@@ -12,7 +11,7 @@ use tribos_core::contact::SphereBody;
 pub struct OptionalFeatures {
     /// Rate of a simple shear, velocity along x over height along z.
     pub shear_rate: f64,
-    /// How the periodic box is deformed, of soft spheres.
+    /// How the periodic box is deformed.
     pub cell: Option<CellControl>,
     pub second: Option<SecondMaterial>,
     /// Densities of the spheres; those of the material if there are none.

@@ -11,8 +11,8 @@ use tribos_base::record::{ContactRow, Partner};
 use tribos_base::space::PeriodicBox;
 use tribos_contacts::cd::internals::{Coefficients, Memory, Sleep, StoredForce};
 use tribos_contacts::cd::{
-    self, ContactMaterial, EnergyBalance, Facing, MaterialTable, StepReport, StopRule, Wall, World,
-    WorldError, WorldMaterials, WorldSetup, WorldState,
+    self, AxisControl, CellState, ContactMaterial, EnergyBalance, Facing, MaterialTable,
+    StepReport, StopRule, Wall, World, WorldError, WorldMaterials, WorldSetup, WorldState,
 };
 use tribos_contacts::problem::GlobalProblem;
 use tribos_core::contact::{
@@ -161,19 +161,29 @@ fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
         sleep_speed: still_speed,
         ..WorldSetup::new(first)
     };
-    let mut setup = setup.sheared(extras.shear_rate);
+    // A box that keeps its lengths is sheared alone.
+    let mut setup = match extras
+        .cell
+        .filter(|cell| cell.axes != [AxisControl::Fixed; 3])
+    {
+        Some(cell) => setup.deforming(cell),
+        None => setup.sheared(extras.shear_rate),
+    };
     for (sphere, velocity) in setup.spheres.iter_mut().zip(&extras.velocities) {
         sphere.velocity += velocity;
     }
     let mut world = World::new(setup)?;
     if let Some(frozen) = frozen {
-        restore(frozen, world.state_mut());
+        restore(frozen, world.state_mut())?;
     }
     Ok(Box::new(world))
 }
 
 /// Restores a stored state in a new world of the same bodies.
-fn restore<M: ContactModes<f64>>(frozen: &WorldSnapshot, state: &mut WorldState<M>) {
+fn restore<M: ContactModes<f64>>(
+    frozen: &WorldSnapshot,
+    state: &mut WorldState<M>,
+) -> Result<(), WorldError> {
     state.time = frozen.time;
     state.steps = frozen.steps;
     state.positions.clone_from(&frozen.positions);
@@ -184,11 +194,29 @@ fn restore<M: ContactModes<f64>>(frozen: &WorldSnapshot, state: &mut WorldState<
         (wall.place, wall.plate.velocity) = (*place, *velocity);
     }
     state.shear_offset = frozen.shear_offset;
+    if let (Some(cell), Some(kept)) = (&mut state.cell, frozen.cell) {
+        *cell = cell_state(kept, frozen)?;
+    }
     state.energy = frozen.energy;
     state.energy.before_first(state.spheres.iter());
     state.sleep = Sleep::restored(frozen.awake.clone(), frozen.still.clone());
     state.memory = memory(&frozen.forces);
     state.impacts = memory(&frozen.impacts);
+    Ok(())
+}
+
+/// A cell from its lengths, 0 along an open axis, and their speeds.
+pub(super) fn cell_state(
+    [lengths, speeds]: [[f64; 3]; 2],
+    frozen: &WorldSnapshot,
+) -> Result<CellState, WorldError> {
+    let space = PeriodicBox::new(lengths.map(|length| Some(length).filter(|length| *length > 0.0)));
+    let step = frozen.steps;
+    let space = space.map_err(|cause| WorldError::Neighbours { step, cause })?;
+    Ok(CellState {
+        space: space.sheared(frozen.shear_offset),
+        speeds,
+    })
 }
 
 /// Forces in the modes of a world.
@@ -276,6 +304,10 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         World::set_gravity(self, gravity);
     }
 
+    fn set_axes(&mut self, axes: [AxisControl; 3]) {
+        World::set_axes(self, axes);
+    }
+
     fn energy(&self) -> &EnergyBalance {
         &self.state().energy
     }
@@ -358,7 +390,9 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
             awake: state.sleep.awake().to_vec(),
             still: state.sleep.slow_steps().to_vec(),
             origin: None,
-            cell: None,
+            cell: state.cell.map(|CellState { space, speeds }| {
+                [space.lengths().map(|length| length.unwrap_or(0.0)), speeds]
+            }),
         }
     }
 }

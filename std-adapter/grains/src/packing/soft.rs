@@ -1,5 +1,6 @@
 //! A world of soft spheres with its contact modes hidden behind the trait of packings.
 
+use super::rigid::cell_state;
 use super::{
     Bodies, Force, Forces, OptionalFeatures, Packing, PackingRunError, Springs, WorldSnapshot,
 };
@@ -8,10 +9,10 @@ use std::fmt::Debug;
 use tribos_base::record::{ContactRow, Partner};
 use tribos_base::space::PeriodicBox;
 use tribos_contacts::cd::{
-    EnergyBalance, StepLimits, StepReport, Wall, WorldError, WorldMaterials,
+    AxisControl, EnergyBalance, StepLimits, StepReport, Wall, WorldError, WorldMaterials,
 };
 use tribos_contacts::problem::GlobalProblem;
-use tribos_contacts::soft::{AxisControl, SoftContact, SoftSetup, SoftState, SoftWorld};
+use tribos_contacts::soft::{SoftContact, SoftSetup, SoftState, SoftWorld};
 use tribos_core::contact::{
     ContactError, ContactFriction, ContactGeometry, ContactModes, ContactVector, SphereBody,
 };
@@ -78,14 +79,9 @@ fn thaw<F: ContactFriction<f64>>(
     for (wall, (place, velocity)) in state.walls.iter_mut().zip(&frozen.walls) {
         (wall.place, wall.plate.velocity) = (*place, *velocity);
     }
-    if let Some([lengths, speeds]) = frozen.cell {
-        let lengths =
-            [0, 1, 2].map(|axis: usize| Some(lengths[axis]).filter(|length| *length > 0.0));
-        let step = frozen.steps;
-        let space = PeriodicBox::new(lengths);
-        let space = space.map_err(|cause| WorldError::Neighbours { step, cause })?;
-        state.space = space.sheared(frozen.shear_offset);
-        state.speeds = speeds;
+    if let Some(kept) = frozen.cell {
+        let cell = cell_state(kept, frozen)?;
+        (state.space, state.speeds) = (cell.space, cell.speeds);
     }
     state.energy = frozen.energy;
     state.energy.before_first(state.spheres.iter());

@@ -5,9 +5,10 @@ use nalgebra::Vector3;
 use std::fmt::Debug;
 use tribos_base::record::{ContactRow, Partner};
 use tribos_base::space::PeriodicBox;
+use tribos_contacts::cd::AxisControl;
 use tribos_contacts::cd::{ContactSolver, EnergyBalance, StepLimits, StepReport, Wall, WorldError};
 use tribos_contacts::problem::GlobalProblem;
-use tribos_contacts::soft::{AxisControl, Stiffness};
+use tribos_contacts::soft::Stiffness;
 use tribos_core::contact::{ContactError, SphereBody};
 
 /// Spheres and walls at the start.
