@@ -57,6 +57,7 @@ pub fn spheres<F>(positions: Vec<Vector3<f64>>, laws: WorldMaterials<F>) -> Worl
         laws,
         gravity: Vector3::zeros(),
         shear_rate: 0.0,
+        cell: None,
         mixture: None,
         mesh: None,
         step_limits: STEP_LIMITS,

@@ -65,6 +65,7 @@ where
         laws: WorldMaterials::uniform(cohesive, friction),
         gravity: Vector3::zeros(),
         shear_rate: 0.0,
+        cell: None,
         mixture: None,
         mesh: None,
         step_limits: StepLimits {
