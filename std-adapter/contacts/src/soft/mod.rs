@@ -41,7 +41,7 @@ mod world;
 
 pub use cell::{AxisControl, CellControl};
 pub use contact::SoftContact;
-pub use law::Stiffness;
+pub use law::{Sprung, Stiffness};
 #[doc(hidden)]
 pub use setup::STEPS_PER_COLLISION;
 pub use setup::SoftSetup;
