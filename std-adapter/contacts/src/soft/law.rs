@@ -19,9 +19,9 @@ use tribos_core::contact::Cohesion;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stiffness {
-    /// Spring constant k, the same for all contacts. *Units*: force/length.
+    /// Spring constant k. *Units*: force/length.
     Linear(f64),
-    /// Contact modulus E*: 1/E* = 2 (1 − ν²)/E for equal bodies, half of that at a rigid wall. *Units*: force/area.
+    /// Contact modulus E*: 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂, with one term at a rigid wall. *Units*: force/area.
     Hertz(f64),
 }
 

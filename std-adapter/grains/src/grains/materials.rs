@@ -428,11 +428,12 @@ fn of_all(scene: &GrainsScene, entries: &[Entry]) -> Objection {
         ));
     }
     let mixture = scene.mixture();
-    let is_lone = |law: &Material| law.torsion > 0.0 && law.sliding == 0.0;
     let is_coupled = mixture.widest().carried().coupling != FrictionCoupling::Independent;
+    let is_lone = |law: &Material| law.torsion == 0.0 || law.sliding == 0.0;
     (is_coupled && mixture.all().any(is_lone)).then(|| {
         format!(
-            "contacts with mu_torsion need a mu above 0 where coupling = \"{}\"; give the materials one, or leave `coupling` out",
+            "with coupling = \"{}\" all contacts have mu and mu_torsion above 0, or none has mu_torsion; give the others both, or \
+             leave `coupling` out",
             scene.coupling
         )
     })

@@ -68,7 +68,7 @@ impl PackingCost {
         spheres: usize,
         contacts_a_sphere: impl Fn(ModeSet) -> [f64; 2],
     ) -> Result<Self, PackingRunError> {
-        let material = *keys.mixture.first();
+        let material = keys.mixture.widest();
         // The same coefficient, or the usual one for smooth spheres.
         let plain = Material {
             sliding: if material.sliding > 0.0 {

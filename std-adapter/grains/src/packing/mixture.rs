@@ -202,8 +202,8 @@ impl Mixture {
             Material { density, ..*a } != *b
         };
         let others = |a: usize, b: usize| {
-            let pairs = self.laws([a, b]).into_iter().zip(self.laws([0, 0]));
-            pairs.into_iter().any(|(law, first)| differ(law, first))
+            let mut laws = self.laws([a, b]).into_iter().zip(self.laws([0, 0]));
+            laws.any(|(law, first)| differ(law, first))
         };
         present().any(|a| present().any(|b| others(a, b)))
     }
@@ -217,9 +217,7 @@ impl Mixture {
 
     /// Whether any sphere would be drawn to be of another material than the first.
     pub fn is_drawn(&self) -> bool {
-        self.components[1..]
-            .iter()
-            .any(|component| component.share > 0.0)
+        self.drawn().nth(1).is_some()
     }
 
     /// Types of so many spheres: of each material its share of all, each choice as likely (Knuth's algorithm S).

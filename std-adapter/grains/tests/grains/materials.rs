@@ -394,7 +394,7 @@ fn what_materials_cannot_be_is_refused_with_entry_and_cure() {
         ),
         (
             "mu_torsion = 0.1\ncoupling = \"exact\"\nmaterials = \"a; b: mu=0\"".into(),
-            &["a mu above 0"],
+            &["all contacts have mu and mu_torsion"],
         ),
     ] {
         let read = read(&format!(
