@@ -848,6 +848,19 @@ class GrainsScene(Scene):
     initial_height
         Height above the floor from which random grains are placed upwards. *Unit*: m. *Value*: a
         finite number >= 0.
+    materials
+        Materials by name, up to 6, as `glass: mu=0.5, density=2500; steel: mu=0.2, density=7800,
+        share=0.3, radius=1.5`: the n-th is type n of `initial_state`. `share` of the grains, drawn
+        at random, are of a material, the rest of the first; `radius` is in mean radii. `mu`,
+        `mu_rolling`, `mu_torsion`, `restitution`, `cohesion`, `density`, `stiffness`,
+        `young_modulus` and `poisson_ratio` are those of the scene where they are left out. *Value*:
+        materials such as "glass: mu=0.5, density=2500; steel: mu=0.2, density=7800, share=0.3".
+    pairs
+        What holds between two `materials`, or at walls, as `glass-steel: mu=0.3, restitution=0.5;
+        steel-walls: mu=0.1`: coefficients, `restitution` and `cohesion` are the geometric means of
+        both and springs in series where they are left out, and at walls those of two grains of the
+        material. *Value*: pairs such as "glass-steel: mu=0.3, restitution=0.5; steel-walls:
+        mu=0.1".
     second_fraction
         Share of the grains that are of a second material, chosen at random; those of
         `initial_state` that have materials keep them. *Value*: a number from 0 to 1.
@@ -1059,6 +1072,8 @@ class GrainsScene(Scene):
     seed: int = 1
     initial_spacing: float = 1.2
     initial_height: float = 0.0
+    materials: str | None = None
+    pairs: str | None = None
     second_fraction: float = 0.0
     second_radius: float = 1.0
     second_density: float | None = None

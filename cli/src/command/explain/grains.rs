@@ -18,7 +18,18 @@ pub fn text(scene: &GrainsScene) -> Result<String, Failure> {
     };
     let longest = scene.longest_step();
     let is_soft = scene.method == ContactMethod::Soft;
-    let mut text = contacts(&material, &cost, pull, is_soft) + &solver(scene, longest);
+    let mut text = String::new();
+    for (name, list) in [("materials", &scene.materials), ("pairs", &scene.pairs)] {
+        text += &list
+            .iter()
+            .map(|list| line(name, list.to_string()))
+            .collect::<String>();
+    }
+    if scene.materials.is_some() {
+        text += &line("", "what follows is of two grains of the first material");
+    }
+    text += &contacts(&material, &cost, pull, is_soft);
+    text += &solver(scene, longest);
     text += &costs(&cost, ["grains", "", "dense"], material.carried().modes);
     text += &line(
         "steps",

@@ -68,8 +68,31 @@ impl<F> MaterialTable<F> {
         &self.laws[usize::from(a) * self.count + usize::from(b)].walls
     }
 
+    /// The same bodies with what a law gives in place of its friction.
+    pub(crate) fn map<G>(&self, of: impl Fn(&ContactMaterial<F>) -> G) -> MaterialTable<G> {
+        let of = |law: &ContactMaterial<F>| ContactMaterial {
+            normal: law.normal,
+            friction: of(law),
+        };
+        let laws = self.laws.iter().map(|laws| WorldMaterials {
+            pairs: of(&laws.pairs),
+            walls: of(&laws.walls),
+        });
+        MaterialTable {
+            spheres: self.spheres.clone(),
+            walls: self.walls.clone(),
+            count: self.count,
+            laws: laws.collect(),
+        }
+    }
+
+    /// The laws of any two materials.
+    pub(crate) fn laws(&self) -> &[WorldMaterials<F>] {
+        &self.laws
+    }
+
     /// Whether there is a material for each of so many spheres and walls.
-    pub(super) fn fits(&self, spheres: usize, walls: usize) -> bool {
+    pub(crate) fn fits(&self, spheres: usize, walls: usize) -> bool {
         self.spheres.len() == spheres && self.walls.len() == walls
     }
 }

@@ -1,13 +1,16 @@
 //! Bodies of several materials.
 
 use super::{
-    ContactSolver, IterationOrder, MaterialTable, StepLimits, StopRule, Wall, World,
-    WorldMaterials, WorldSetup,
+    ContactMaterial, ContactSolver, IterationOrder, MaterialTable, Mesh, MovingMesh, StepLimits,
+    StopRule, Wall, World, WorldMaterials, WorldSetup,
 };
 use super::{SolverMethod, WorldError, solid};
+use crate::soft::{SoftSetup, SoftWorld, Sprung, Stiffness};
 use nalgebra::Vector3;
 use std::sync::Arc;
-use tribos_core::contact::{Cohesion, IndependentFriction, NormalLaw, SlidingOnly, SphereBody};
+use tribos_core::contact::{
+    Attraction, Cohesion, IndependentFriction, NormalLaw, SlidingOnly, SphereBody,
+};
 
 type Answer = Result<(), Box<dyn std::error::Error>>;
 type Friction = IndependentFriction<f64, SlidingOnly>;
@@ -139,6 +142,101 @@ fn two_names_for_one_material_change_no_bit() -> Answer {
         }
         assert_eq!(one.state(), two.state());
     }
+    Ok(())
+}
+
+/// Soft spheres that attract each other across gaps, on a wall and a mesh, which has the number of its own after walls.
+fn heap(cohesion: f64) -> Result<SoftSetup<Friction>, Box<dyn std::error::Error>> {
+    let pull = Cohesion::new(cohesion, 0.02, Attraction::Pull)?;
+    let laws = WorldMaterials::uniform(
+        NormalLaw::new(pull, 0.4)?,
+        IndependentFriction::sliding(0.3)?,
+    );
+    let mut setup = SoftSetup::new(laws, Stiffness::Hertz(1e4)).gravity(-Vector3::z());
+    for index in 0..40_usize {
+        let [x, y, z] = [index % 3, index / 3 % 4, index / 12].map(|at| at as f64);
+        let place = Vector3::new(1.99 * x + 0.2 * z, 2.01 * y - 0.1 * z, 1.01 + 1.99 * z);
+        let speed = Vector3::new(0.1 * y, -0.2 * x, -0.1);
+        setup = setup.sphere(place, 1.0, thrown(speed));
+    }
+    let [a, b] = [-20.0, 40.0].map(|y| Vector3::new(5.4, y, -20.0));
+    let mesh = Mesh::new(vec![[a, b, Vector3::new(5.4, 10.0, 60.0)]])?;
+    setup.mesh = Some(MovingMesh::at_rest(Arc::new(mesh)));
+    Ok(setup.wall(Wall::fixed(Vector3::z(), 0.0)))
+}
+
+#[test]
+fn two_names_for_one_material_change_no_bit_of_springs() -> Answer {
+    for cohesion in [0.0, 0.5] {
+        let one = heap(cohesion)?;
+        let mut two = one.clone();
+        let sprung = |law: ContactMaterial<Friction>| ContactMaterial {
+            normal: law.normal,
+            friction: Sprung {
+                stiffness: one.stiffness,
+                friction: law.friction,
+            },
+        };
+        let laws = WorldMaterials {
+            pairs: sprung(one.laws.pairs),
+            walls: sprung(one.laws.walls),
+        };
+        let materials = (0..40).map(|index| index % 2).collect();
+        two.mixture = Some(MaterialTable::new(materials, vec![1], |_| laws));
+        let (mut one, mut two) = (SoftWorld::new(one)?, SoftWorld::new(two)?);
+        let mut at_mesh = false;
+        for _ in 0..400 {
+            assert_eq!(one.step()?, two.step()?);
+            let [_, walls] = &one.state().contacts;
+            at_mesh |= walls
+                .iter()
+                .any(|contact| contact.bodies[1] > 0 && contact.in_range);
+        }
+        assert_eq!(one.state(), two.state());
+        assert!(at_mesh);
+    }
+    Ok(())
+}
+
+#[test]
+fn springs_reach_as_far_as_the_cohesion_of_their_own_material() -> Answer {
+    // Across a gap of a hundredth of the radius, of a wall, of a mesh and of another sphere.
+    let law = |strength: f64| -> Result<_, tribos_core::law::LawError> {
+        let range = if strength > 0.0 { 0.02 } else { 0.0 };
+        let pull = Cohesion::new(strength, range, Attraction::Pull)?;
+        let friction = Sprung {
+            stiffness: Stiffness::Linear(1e4),
+            friction: IndependentFriction::sliding(0.3)?,
+        };
+        Ok(WorldMaterials::uniform(
+            NormalLaw::new(pull, 0.0)?,
+            friction,
+        ))
+    };
+    let laws = [law(0.0)?, law(0.5)?];
+    let mut setup = heap(0.0)?.gravity(Vector3::zeros());
+    let at = |x: f64, y: f64, z: f64| Vector3::new(x, y, z);
+    setup.positions = vec![
+        at(4.39, 0.0, 5.0),
+        at(4.39, 10.0, 5.0),
+        at(0.0, 0.0, 1.01),
+        at(0.0, 10.0, 1.01),
+        at(-9.0, 0.0, 9.0),
+        at(-9.0, 0.0, 11.01),
+        at(-9.0, 10.0, 9.0),
+        at(-9.0, 10.0, 11.01),
+    ];
+    setup.radii.truncate(8);
+    setup.spheres = vec![solid(1.0, 1.0); 8];
+    let materials = vec![0, 1, 0, 1, 0, 0, 1, 1];
+    setup.mixture = Some(MaterialTable::new(materials, vec![0], |[a, _]| {
+        laws[usize::from(a)]
+    }));
+    let mut world = SoftWorld::new(setup)?;
+    world.step()?;
+    let speed = |i: usize| world.state().spheres[i].velocity;
+    assert_eq!([0, 2, 4, 5].map(speed), [Vector3::zeros(); 4]);
+    assert!(speed(1).x > 0.0 && speed(3).z < 0.0 && speed(6).z > 0.0 && speed(7).z < 0.0);
     Ok(())
 }
 

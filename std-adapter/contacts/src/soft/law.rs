@@ -1,5 +1,6 @@
 //! Normal springs, the dashpots beside them, and the laws of a contact.
 
+use crate::cd::{ContactMaterial, MaterialTable};
 use tribos_base::bracket::Bracket;
 use tribos_core::Real;
 use tribos_core::contact::Cohesion;
@@ -18,9 +19,9 @@ use tribos_core::contact::Cohesion;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stiffness {
-    /// Spring constant k, the same for all contacts. *Units*: force/length.
+    /// Spring constant k. *Units*: force/length.
     Linear(f64),
-    /// Contact modulus E*: 1/E* = 2 (1 − ν²)/E for equal bodies, half of that at a rigid wall. *Units*: force/area.
+    /// Contact modulus E*: 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂, with one term at a rigid wall. *Units*: force/area.
     Hertz(f64),
 }
 
@@ -173,6 +174,69 @@ pub(super) fn duration(damping: f64) -> f64 {
     2.0 * angle
 }
 
+/// Friction of a soft contact, and the normal spring that carries it: the law of two materials in a
+/// [`MaterialTable`] of a [`SoftSetup`](super::SoftSetup).
+///
+/// ```
+/// use tribos::cd::{MaterialTable, WorldMaterials};
+/// use tribos::kernel::contact::{Cohesion, IndependentFriction, NormalLaw};
+/// use tribos::soft::{Sprung, Stiffness};
+/// // Unlike spheres touch softly; all slide alike and bounce alike.
+/// let normal = NormalLaw::new(Cohesion::NONE, 0.8)?;
+/// let friction = IndependentFriction::sliding(0.3)?;
+/// let mixture = MaterialTable::new(vec![0, 1], vec![], |[a, b]| {
+///     let stiffness = Stiffness::Linear(if a == b { 1e5 } else { 1e3 }); // N/m
+///     WorldMaterials::uniform(normal, Sprung { stiffness, friction })
+/// });
+/// assert_eq!(mixture.of_pair([0, 1]).friction.stiffness, Stiffness::Linear(1e3));
+/// # Ok::<(), tribos::kernel::law::LawError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sprung<F> {
+    /// Normal spring.
+    pub stiffness: Stiffness,
+    /// Friction.
+    pub friction: F,
+}
+
+/// The laws of a world: the same for all pairs and for all walls, or by the materials of the bodies.
+pub(super) trait Laws<F>: Sync {
+    /// Whether contacts differ in the range of their cohesion.
+    const ARE_MIXED: bool;
+    /// Law between two spheres.
+    fn of_pair(&self, bodies: [u32; 2]) -> &Law<F>;
+    /// Law of a sphere at a wall.
+    fn at_wall(&self, bodies: [u32; 2]) -> &Law<F>;
+}
+
+impl<F: Sync> Laws<F> for [Law<F>; 2] {
+    const ARE_MIXED: bool = false;
+
+    #[inline(always)]
+    fn of_pair(&self, _: [u32; 2]) -> &Law<F> {
+        &self[0]
+    }
+
+    #[inline(always)]
+    fn at_wall(&self, _: [u32; 2]) -> &Law<F> {
+        &self[1]
+    }
+}
+
+impl<F: Sync> Laws<F> for MaterialTable<Law<F>> {
+    const ARE_MIXED: bool = true;
+
+    #[inline(always)]
+    fn of_pair(&self, bodies: [u32; 2]) -> &Law<F> {
+        &MaterialTable::of_pair(self, bodies).friction
+    }
+
+    #[inline(always)]
+    fn at_wall(&self, bodies: [u32; 2]) -> &Law<F> {
+        &MaterialTable::at_wall(self, bodies).friction
+    }
+}
+
 /// Laws of a contact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Law<F> {
@@ -181,6 +245,23 @@ pub(super) struct Law<F> {
     pub damping: f64,
     pub cohesion: Cohesion<f64>,
     pub friction: F,
+}
+
+impl<F: Copy> Law<F> {
+    /// The law of a material without restitution has this damping ratio.
+    pub(super) fn of(material: &ContactMaterial<Sprung<F>>, damping: f64) -> Self {
+        let restitution = material.normal.restitution();
+        Self {
+            stiffness: material.friction.stiffness,
+            damping: if restitution > 0.0 {
+                Stiffness::damping_ratio_of(restitution)
+            } else {
+                damping
+            },
+            cohesion: *material.normal.cohesion(),
+            friction: material.friction.friction,
+        }
+    }
 }
 
 impl<F> Law<F> {

@@ -27,7 +27,7 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
         };
         self.met_at = self.state.time + dt;
         let (pose, space) = (mesh.at(self.met_at), &self.setup.space);
-        let range = self.laws[1].cohesion.range().max(0.0);
+        let [_, range] = self.ranges;
         let walls = self.state.walls.len() as u32;
         self.met.clear();
         let spheres = self.state.positions.iter().zip(&self.setup.radii);

@@ -40,7 +40,7 @@ mod transport;
 mod world;
 
 pub use contact::SoftContact;
-pub use law::Stiffness;
+pub use law::{Sprung, Stiffness};
 #[doc(hidden)]
 pub use setup::STEPS_PER_COLLISION;
 pub use setup::SoftSetup;

@@ -28,13 +28,13 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
         if self.setup.cell.is_some() {
             self.skin = self.default_skin();
         }
-        let [range, at_walls] = self.laws.map(|law| law.cohesion.range());
+        let [range, at_walls] = self.ranges;
         let step = self.state.steps;
         let found = self.cells.find(
             &self.state.space,
             positions,
             &self.setup.radii,
-            range.max(0.0) + self.skin,
+            range + self.skin,
         );
         let pairs = found.map_err(|cause| WorldError::Neighbours { step, cause })?;
         let (spheres, radii) = (&self.state.spheres, &self.setup.radii);
@@ -90,7 +90,7 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             .copied()
             .fold(f64::INFINITY, f64::min);
         let largest = self.setup.radii.iter().copied().fold(0.0, f64::max);
-        let range = self.laws[0].cohesion.range();
+        let [range, _] = self.ranges;
         let lengths = self.state.space.lengths().into_iter().flatten();
         let room = lengths.fold(f64::INFINITY, f64::min) * 0.5 - 2.0 * largest - range;
         let skin = (SKIN * smallest).min(room);

@@ -1,8 +1,10 @@
 //! Initial state, laws and parameters of a world of soft spheres.
 
-use super::law::Law;
-use super::law::Stiffness;
-use crate::cd::{self, CellControl, MovingMesh, StepLimits, Wall, WorldError, WorldMaterials};
+use super::law::{Law, Sprung, Stiffness};
+use crate::cd::{
+    self, CellControl, ContactMaterial, MaterialTable, MovingMesh, StepLimits, Wall, WorldError,
+    WorldMaterials,
+};
 use nalgebra::Vector3;
 use tribos_base::space::PeriodicBox;
 use tribos_core::contact::{Attraction, SphereBody};
@@ -29,6 +31,8 @@ pub struct SoftSetup<F> {
     pub laws: WorldMaterials<F>,
     /// Normal spring of every contact.
     pub stiffness: Stiffness,
+    /// Materials of the bodies, if there are several, in place of `laws` and `stiffness`.
+    pub mixture: Option<MaterialTable<Sprung<F>>>,
     /// Damping ratio ζ of the contacts whose law has no restitution.
     pub damping: f64,
     /// Acceleration of all spheres.
@@ -60,6 +64,7 @@ impl<F> SoftSetup<F> {
             mesh: None,
             laws,
             stiffness,
+            mixture: None,
             damping: 1.0,
             gravity: Vector3::zeros(),
             longest: StepLimits::default().longest,
@@ -94,9 +99,19 @@ impl<F> SoftSetup<F> {
 impl<F: Copy> SoftSetup<F> {
     /// Refuses parameters with which no step is possible.
     pub(super) fn check(&self) -> Result<(), WorldError> {
-        let given = self.stiffness.given();
-        if !(given > 0.0 && given.is_finite()) {
-            return Err(WorldError::Stiffness { given });
+        for law in self.materials() {
+            let given = law.friction.stiffness.given();
+            if !(given > 0.0 && given.is_finite()) {
+                return Err(WorldError::Stiffness { given });
+            }
+            if law.normal.cohesion().attraction() == Attraction::Resistance {
+                return Err(WorldError::Resistance);
+            }
+        }
+        let walls = self.walls.len();
+        let fits = |mixture: &MaterialTable<Sprung<F>>| mixture.fits(self.positions.len(), walls);
+        if !self.mixture.as_ref().is_none_or(fits) {
+            return Err(WorldError::Mixture);
         }
         let given = self.damping;
         if !(given >= 0.0 && given.is_finite()) {
@@ -105,12 +120,6 @@ impl<F: Copy> SoftSetup<F> {
         let given = self.steps_per_collision;
         if !(given >= FEWEST_STEPS && given.is_finite()) {
             return Err(WorldError::StepsPerCollision { given });
-        }
-        let resists = |law: tribos_core::contact::NormalLaw<f64>| {
-            law.cohesion().attraction() == Attraction::Resistance
-        };
-        if self.laws.normal().map(resists) != [false; 2] {
-            return Err(WorldError::Resistance);
         }
         // Bodies and walls follow the rules of contact dynamics.
         let bodies = cd::WorldSetup {
@@ -133,20 +142,44 @@ impl<F: Copy> SoftSetup<F> {
         bodies.check()
     }
 
-    /// Laws of pairs and of contacts with walls.
+    /// Laws of pairs and of contacts with walls, where all are alike.
     pub(super) fn contact_laws(&self) -> [Law<F>; 2] {
-        [self.laws.pairs, self.laws.walls].map(|law| {
-            let restitution = law.normal.restitution();
-            Law {
+        self.sprung().map(|law| Law::of(&law, self.damping))
+    }
+
+    /// Laws by the materials of the bodies, if there are several.
+    pub(super) fn contact_table(&self) -> Option<MaterialTable<Law<F>>> {
+        let mixture = self.mixture.as_ref()?;
+        Some(mixture.map(|law| Law::of(law, self.damping)))
+    }
+
+    /// Laws that any contact may have, with those of pairs before those of walls.
+    pub(super) fn all_laws(&self) -> [Vec<Law<F>>; 2] {
+        let laws = self.materials();
+        let of = |law: &ContactMaterial<Sprung<F>>| Law::of(law, self.damping);
+        let (pairs, walls) = laws.split_at(laws.len() / 2);
+        [pairs, walls].map(|laws| laws.iter().map(of).collect())
+    }
+
+    /// All materials: those of pairs, then as many of walls.
+    fn materials(&self) -> Vec<ContactMaterial<Sprung<F>>> {
+        let Some(mixture) = &self.mixture else {
+            return self.sprung().to_vec();
+        };
+        let pairs = mixture.laws().iter().map(|laws| laws.pairs);
+        pairs
+            .chain(mixture.laws().iter().map(|laws| laws.walls))
+            .collect()
+    }
+
+    /// The material of all pairs, and that of all walls.
+    fn sprung(&self) -> [ContactMaterial<Sprung<F>>; 2] {
+        [self.laws.pairs, self.laws.walls].map(|law| ContactMaterial {
+            normal: law.normal,
+            friction: Sprung {
                 stiffness: self.stiffness,
-                damping: if restitution > 0.0 {
-                    Stiffness::damping_ratio_of(restitution)
-                } else {
-                    self.damping
-                },
-                cohesion: *law.normal.cohesion(),
                 friction: law.friction,
-            }
+            },
         })
     }
 }

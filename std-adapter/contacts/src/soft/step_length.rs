@@ -9,7 +9,7 @@
 //!   whether it sticks, and is to do so in a number of steps. A range below the overlap F/S under the pull decides
 //!   less than that overlap, which takes its place.
 
-use super::law::{Stiffness, duration};
+use super::law::{Law, Stiffness, duration};
 use crate::cd::{MovingMesh, Wall, keeps_motion};
 use nalgebra::Vector3;
 use tribos_core::contact::{Cohesion, SphereBody};
@@ -28,13 +28,15 @@ const RANGE_STEPS: f64 = 10.0;
 const MOTION: f64 = 0.02;
 
 /// What does not change in a run.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 #[doc(hidden)]
 pub struct StepLength {
+    /// The stiffest spring.
     stiffness: Stiffness,
+    /// The largest damping ratio: neither stability nor the time of a collision grows with it.
     damping: f64,
-    /// Of pairs and at walls.
-    cohesions: [Cohesion<f64>; 2],
+    /// Of all pairs and walls.
+    cohesions: Vec<Cohesion<f64>>,
     /// Smallest and largest mass and radius.
     mass: [f64; 2],
     radius: [f64; 2],
@@ -53,11 +55,19 @@ impl StepLength {
                 [low.min(x), high.max(x)]
             })
         };
-        let laws = setup.contact_laws();
+        let laws = setup.all_laws().concat();
+        let stiffer = |most: Stiffness, law: &Law<F>| {
+            if law.stiffness.given() > most.given() {
+                law.stiffness
+            } else {
+                most
+            }
+        };
+        let stiffness = laws.first().map_or(setup.stiffness, |law| law.stiffness);
         Self {
-            stiffness: setup.stiffness,
-            damping: laws[0].damping.max(laws[1].damping),
-            cohesions: laws.map(|law| law.cohesion),
+            stiffness: laws.iter().fold(stiffness, stiffer),
+            damping: laws.iter().fold(0.0, |most, law| law.damping.max(most)),
+            cohesions: laws.iter().map(|law| law.cohesion).collect(),
             mass: extremes(&mut masses(&setup.spheres)),
             radius: extremes(&mut setup.radii.iter().copied()),
             gravity: setup.gravity.norm(),
@@ -82,7 +92,7 @@ impl StepLength {
         Self {
             stiffness,
             damping,
-            cohesions: [cohesion; 2],
+            cohesions: vec![cohesion],
             mass: [mass; 2],
             radius: [radius; 2],
             gravity: 0.0,

@@ -2,13 +2,14 @@
 
 use super::cell::CellLoads;
 use super::contact::{Energies, Motion, SoftContact};
-use super::law::Law;
+use super::law::{Law, Laws};
 use super::mesh::{Met, find};
 use super::setup::SoftSetup;
 use super::step_length::{StepLength, fastest};
 use crate::cd::cell::image;
 use crate::cd::{
-    EnergyBalance, Facing, Iterations, MovingMesh, StepReport, Wall, WorldError, keeps_motion,
+    EnergyBalance, Facing, Iterations, MaterialTable, MovingMesh, StepReport, Wall, WorldError,
+    keeps_motion,
 };
 use nalgebra::Vector3;
 use rayon::prelude::*;
@@ -76,7 +77,10 @@ pub struct SoftState<M: ContactModes<f64>> {
 pub struct SoftWorld<F: ContactFriction<f64>> {
     pub(super) setup: SoftSetup<F>,
     pub(super) state: SoftState<F::Modes>,
-    pub(super) laws: [Law<F>; 2],
+    laws: [Law<F>; 2],
+    table: Option<MaterialTable<Law<F>>>,
+    /// Largest gaps at which pairs, and spheres at walls, attract each other.
+    pub(super) ranges: [f64; 2],
     length: StepLength,
     pub(super) cells: Cells,
     pub(super) skin: f64,
@@ -134,6 +138,11 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
     pub fn resume(setup: SoftSetup<F>, state: SoftState<F::Modes>) -> Self {
         let mut world = Self {
             laws: setup.contact_laws(),
+            table: setup.contact_table(),
+            ranges: setup.all_laws().map(|laws| {
+                let ranges = laws.iter().map(|law| law.cohesion.range());
+                ranges.fold(0.0, f64::max)
+            }),
             length: StepLength::of(&setup),
             state,
             cells: Cells::default(),
@@ -423,6 +432,21 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
     /// Springs, forces and energies of all contacts after a step of length `dt`.
     fn find_forces(&mut self, dt: f64) -> Result<Energies, WorldError> {
         self.meet_mesh(dt);
+        match self.table.take() {
+            None => {
+                let laws = self.laws;
+                self.find_forces_by(&laws, dt);
+            }
+            Some(table) => {
+                self.find_forces_by(&table, dt);
+                self.table = Some(table);
+            }
+        }
+        self.sum()
+    }
+
+    /// Springs, forces and energies by these laws, with the meetings of the mesh at hand.
+    fn find_forces_by<L: Laws<F>>(&mut self, laws: &L, dt: f64) {
         let pose = self.setup.mesh.as_ref().map(|mesh| mesh.at(self.met_at));
         let met = &self.met;
         let SoftState {
@@ -434,10 +458,11 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             speeds,
             ..
         } = &mut self.state;
-        let (space, radii, [pair, wall]) = (&*space, &self.setup.radii, &self.laws);
+        let (space, radii) = (&*space, &self.setup.radii);
         let (speeds, cell) = (&*speeds, &self.setup.cell);
         let [pairs, at_walls] = contacts;
         let across = |contact: &mut SoftContact<F::Modes>| {
+            let pair = laws.of_pair(contact.bodies);
             let [i, j] = contact.bodies.map(|body| body as usize);
             let between = [&positions[i], &positions[j]];
             let (apart, border) = match cell {
@@ -470,10 +495,18 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
             }
         }
         for contact in at_walls.iter_mut() {
+            let wall = laws.at_wall(contact.bodies);
             let [i, w] = contact.bodies.map(|body| body as usize);
             let Some(plate) = walls.get(w) else {
                 let radius = radii[i];
                 let energies = match find(met, contact.bodies) {
+                    // In the range of another material's cohesion.
+                    Some(Met { facing, .. })
+                        if L::ARE_MIXED
+                            && is_apart(facing.height - radius, wall.cohesion.range()) =>
+                    {
+                        Ok(contact.part(facing.height - radius, wall, radius, dt))
+                    }
                     Some(Met {
                         facing, surface, ..
                     }) => ContactGeometry::plate(facing.height, &facing.outward, radius).map(
@@ -509,7 +542,6 @@ impl<F: ContactFriction<f64>> SoftWorld<F> {
                 })
             });
         }
-        self.sum()
     }
 }
 

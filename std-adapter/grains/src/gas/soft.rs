@@ -75,9 +75,7 @@ pub fn soft_collision(scene: &GasScene) -> Option<SoftCollision> {
 
 /// The springs of the spheres, in steps of which each is counted and none is longer than `longest`.
 pub(super) fn springs(scene: &GasScene, longest: f64) -> Springs {
-    let stiffness = stiffness(scene);
     Springs {
-        stiffness,
         // The restitution is above 0 and decides.
         damping: 1.0,
         steps_per_collision: scene.steps_per_collision,
@@ -89,7 +87,7 @@ pub(super) fn springs(scene: &GasScene, longest: f64) -> Springs {
     }
 }
 
-fn stiffness(scene: &GasScene) -> Stiffness {
+pub(super) fn stiffness(scene: &GasScene) -> Stiffness {
     match scene.normal_law {
         NormalForce::Linear => Stiffness::Linear(scene.stiffness),
         NormalForce::Hertz => Stiffness::Hertz(scene.stiffness),

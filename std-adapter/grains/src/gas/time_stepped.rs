@@ -224,6 +224,7 @@ fn material(scene: &GasScene) -> Material {
         torsion: 0.0,
         coupling: FrictionCoupling::Independent,
         wall: WallLaw::Full,
+        stiffness: soft::stiffness(scene),
     }
 }
 

@@ -48,9 +48,9 @@ pub fn stable_step(scene: &GrainsScene) -> Option<f64> {
     match scene.contact_method() {
         Method::ContactDynamics { .. } => None,
         Method::Soft(springs) => {
-            let (material, force) = (scene.material(), usual_force(scene));
+            let (mixture, force) = (scene.mixture(), usual_force(scene));
             let smallest = scene.radius * scene.least_radius();
-            Some(packing::stable_step(&springs, &material, smallest, force))
+            Some(packing::stable_step(&springs, &mixture, smallest, force))
         }
     }
 }

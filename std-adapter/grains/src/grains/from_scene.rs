@@ -3,7 +3,7 @@
 use crate::grains::scene::GrainsScene;
 pub(super) use crate::packing::export::volume;
 use crate::packing::method::ContactMethod;
-use crate::packing::{ContactKeys, Material, Method, SecondMaterialKeys, Springs};
+use crate::packing::{ContactKeys, Material, Method, Springs};
 use nalgebra::Vector3;
 use tribos_base::random::Random;
 use tribos_contacts::cd::{ContactSolver, SolverMethod as Sweeps, StepLimits};
@@ -17,8 +17,7 @@ impl GrainsScene {
     /// What the scene says of the contacts.
     pub(crate) fn contact_keys(&self) -> ContactKeys {
         ContactKeys {
-            material: self.material(),
-            second: self.differences(),
+            mixture: self.mixture(),
             method: self.contact_method(),
         }
     }
@@ -43,7 +42,6 @@ impl GrainsScene {
                 still_speed: 0.0,
             },
             ContactMethod::Soft => Method::Soft(Springs {
-                stiffness: self.spring(),
                 damping: self.damping_ratio,
                 steps_per_collision: self.steps_per_collision,
                 step_limits,
@@ -77,29 +75,9 @@ impl GrainsScene {
         self.max_time_step.unwrap_or(longest)
     }
 
-    /// What the second material has of its own.
-    pub(super) fn differences(&self) -> SecondMaterialKeys {
-        SecondMaterialKeys {
-            density: self.second_density,
-            sliding: self.mu_second,
-            sliding_mixed: self.mu_mixed,
-        }
-    }
-
-    /// The material of the grains.
+    /// The first material of the grains.
     #[doc(hidden)]
     pub fn material(&self) -> Material {
-        Material {
-            density: self.density,
-            cohesion: self.pull_off(),
-            cohesion_range: self.cohesion_range,
-            attraction: self.attraction,
-            restitution: self.restitution,
-            sliding: self.mu,
-            rolling: self.mu_rolling,
-            torsion: self.mu_torsion,
-            coupling: self.coupling,
-            wall: self.wall_contact,
-        }
+        *self.mixture().first()
     }
 }

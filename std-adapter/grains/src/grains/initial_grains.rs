@@ -41,10 +41,11 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<InitialSpheres, PackingRunEr
     let y = (scene.boundary_y == SideBoundary::Periodic && !flat).then_some((depth, "depth"));
     let z = (scene.boundary_z == EndBoundary::Periodic)
         .then(|| (scene.height.unwrap_or(0.0), "height"));
+    let mixture = scene.mixture();
     let mut assembly = given(
         (path, scene.columns.as_ref()),
         ([x, y, z], scene.deforms()),
-        (scene.radius, scene.method),
+        (scene.radius, scene.method, mixture.components().len()),
         |kind| scene.holder(kind).is_some(),
     )?;
     let is_driven = scene.shear_rate.is_some() || scene.deforms();
@@ -66,11 +67,7 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<InitialSpheres, PackingRunEr
         } else {
             [None; 3]
         },
-        kinds: Kinds::given(
-            &assembly,
-            (scene.seed, scene.second_fraction),
-            (&scene.material(), &scene.differences()),
-        ),
+        kinds: Kinds::given(&assembly, scene.seed, &mixture),
         contacts: Vec::new(),
         frozen: None,
     };

@@ -15,6 +15,7 @@ mod grains_body;
 mod initial_grains;
 mod layout;
 mod loads;
+mod materials;
 mod measure;
 mod mesh;
 mod outcome;
@@ -32,6 +33,7 @@ pub use container::{PlateOutline, plates};
 #[doc(hidden)]
 pub use cost::{cost, size, stable_step};
 pub use grains_body::GrainsSimulation;
+pub use materials::PropertyList;
 #[doc(hidden)]
 pub use measure::{COLUMNS, GrainsLine};
 pub use outcome::GrainsSummary;

@@ -2,7 +2,7 @@
 
 use super::container::has_room;
 use crate::grains::scene::{Container, EndBoundary, GrainsScene, SideBoundary};
-use crate::packing::{InitialSpheres, Kinds, PlacementError, Radii, SecondMaterial};
+use crate::packing::{InitialSpheres, Kinds, PlacementError, Radii};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 use tribos_base::random::Random;
@@ -28,16 +28,13 @@ pub(super) fn start(
     let distribution = scene.radii()?;
     let distribution = distribution.as_ref();
     let largest = distribution.map_or(1.0 + scene.radius_spread, |radii| radii.bounds()[1]);
-    let widest = if scene.second_fraction > 0.0 {
-        scene.second_radius.max(1.0)
-    } else {
-        1.0
-    };
-    let lattice = Lattice::of(scene, widest * largest)?;
-    let is_second = SecondMaterial::choose(scene.seed, scene.second_fraction, scene.count);
+    let mixture = scene.mixture();
+    let sizes = mixture.drawn().map(|component| component.radius);
+    let lattice = Lattice::of(scene, sizes.fold(0.0, f64::max) * largest)?;
+    let kinds = Kinds::of(mixture.draw(scene.seed, scene.count), &mixture);
     let mut radii = radii(scene, distribution);
-    for (radius, _) in radii.iter_mut().zip(&is_second).filter(|(_, is)| **is) {
-        *radius *= scene.second_radius;
+    for (radius, kind) in radii.iter_mut().zip(&kinds.materials) {
+        *radius *= mixture.components()[mixture.index(*kind)].radius;
     }
     let mut random = Random::new(scene.seed, PLACES);
     let mut positions = Vec::with_capacity(scene.count);
@@ -78,7 +75,7 @@ pub(super) fn start(
         positions,
         radii,
         periods: [None; 3],
-        kinds: Kinds::of(&is_second, &scene.material(), &scene.differences()),
+        kinds,
         contacts: Vec::new(),
         frozen: None,
     })

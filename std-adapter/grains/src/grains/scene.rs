@@ -1,5 +1,6 @@
 //! The scene of grains in a box: loads and walls that follow time.
 
+use super::materials::{MATERIALS, PAIRS, PropertyList, rules as materials_rules};
 use super::ramp::{RAMP, RAMP_NOT_NEGATIVE, Ramp};
 use super::texts::{COORDINATES, Coordinates, GrainTypes, TYPES};
 use crate::packing::method::{ContactMethod, FrictionCoupling, NormalForce, WallLaw, soft_rules};
@@ -132,6 +133,15 @@ scene! {
     initial_spacing was spacing: f64 = 1.2, "-", Between { above: 1.0, up_to: 100.0 };
     /// Height above the floor from which random grains are placed upwards.
     initial_height: f64 = 0.0, "m", NotNegative, Without("initial_state");
+    /// Materials by name, up to 6, as `glass: mu=0.5, density=2500; steel: mu=0.2, density=7800, share=0.3, radius=1.5`: the n-th is type
+    /// n of `initial_state`. `share` of the grains, drawn at random, are of a material, the rest of the first; `radius` is in mean radii.
+    /// `mu`, `mu_rolling`, `mu_torsion`, `restitution`, `cohesion`, `density`, `stiffness`, `young_modulus` and `poisson_ratio` are
+    /// those of the scene where they are left out.
+    materials: Option<PropertyList> = None, "-", MATERIALS;
+    /// What holds between two `materials`, or at walls, as `glass-steel: mu=0.3, restitution=0.5; steel-walls: mu=0.1`: coefficients,
+    /// `restitution` and `cohesion` are the geometric means of both and springs in series where they are left out, and at walls those of
+    /// two grains of the material.
+    pairs: Option<PropertyList> = None, "-", PAIRS;
     /// Share of the grains that are of a second material, chosen at random; those of `initial_state` that have materials keep them.
     second_fraction was share_second: f64 = 0.0, "-", Fraction;
     /// Radius of these, in mean radii of the others.
@@ -361,12 +371,9 @@ fn rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
     gravity_rule(scene, judge);
     bound_rules(scene, judge);
     material_rules(scene, judge);
+    materials_rules(scene, judge);
     if scene.method == ContactMethod::Soft {
-        soft_rules(
-            judge,
-            scene.attraction,
-            [scene.restitution, scene.second_fraction],
-        );
+        soft_rules(judge, scene.attraction, scene.least_restitution());
     }
     if scene.container != Container::Box
         && (scene.boundary_z != EndBoundary::Floor || scene.shake_amplitude > 0.0)
@@ -492,19 +499,20 @@ fn bound_rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
 /// place of damping, surface energy in place of cohesion, Young's modulus in place of the stiffness.
 fn in_force(scene: &GrainsScene, key: &str, written: Option<Written>) -> Option<Written> {
     let starts = scene.initial_state.is_some();
-    if key == "normal_law" && scene.young_modulus.is_some() {
+    if key == "normal_law" && scene.has_young_modulus() {
         return Some(Written::Text(NormalForce::Hertz.word().into()));
     }
     written.filter(|_| match key {
         "count" | "initial_spacing" => !starts,
         // A file may lack materials, which are drawn then.
-        "seed" => !starts || scene.second_fraction > 0.0,
+        "seed" => !starts || scene.mixture().is_drawn(),
         "radius_spread" => scene.size_distribution.is_none() && !starts,
-        "damping_ratio" => scene.restitution == 0.0,
+        "damping_ratio" => scene.least_restitution() == 0.0,
+        "second_fraction" | "second_radius" => scene.materials.is_none(),
         "cohesion" => scene.surface_energy.is_none(),
         "adhesion" => scene.surface_energy.is_some(),
-        "stiffness" => scene.young_modulus.is_none(),
-        "poisson_ratio" => scene.young_modulus.is_some(),
+        "stiffness" => !scene.has_young_modulus(),
+        "poisson_ratio" => scene.has_young_modulus(),
         _ => true,
     })
 }
@@ -527,15 +535,16 @@ impl GrainsScene {
         }
     }
 
-    /// Normal spring of soft contacts.
+    /// Normal spring of soft contacts, between grains of the first material.
     #[doc(hidden)]
     pub fn spring(&self) -> Stiffness {
-        match self.young_modulus {
-            Some(young) => {
-                Stiffness::Hertz(0.5 * young / (1.0 - self.poisson_ratio * self.poisson_ratio))
-            }
-            None => self.normal_law.spring(self.stiffness, self.radius),
-        }
+        self.material().stiffness
+    }
+
+    /// Least restitution of any contact.
+    fn least_restitution(&self) -> f64 {
+        let mixture = self.mixture();
+        mixture.all().map(|law| law.restitution).fold(1.0, f64::min)
     }
 
     /// Largest pull of a contact.

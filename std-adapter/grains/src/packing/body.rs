@@ -1,9 +1,8 @@
 //! What a body says of the runs of its packing.
 
 use super::{
-    Bodies, InitialSpheres, Material, Method, OptionalFeatures, Packing, PackingRun,
-    PackingRunError, PackingStopReason, SecondMaterial, SecondMaterialKeys, WorldSnapshot,
-    build_with,
+    Bodies, InitialSpheres, Method, Mixture, OptionalFeatures, Packing, PackingRun,
+    PackingRunError, PackingStopReason, WorldSnapshot, build_with,
 };
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
@@ -94,8 +93,7 @@ pub trait PackingBody<const N: usize>: Debug + Sized {
 /// What a scene says of the contacts of its spheres.
 #[derive(Debug)]
 pub struct ContactKeys {
-    pub(crate) material: Material,
-    pub(crate) second: SecondMaterialKeys,
+    pub(crate) mixture: Mixture,
     pub(crate) method: Method,
 }
 
@@ -153,14 +151,16 @@ pub(crate) fn packing_of<B: PackingBody<N>, const N: usize>(
     frozen: Option<&WorldSnapshot>,
 ) -> Result<Box<dyn Packing>, PackingRunError> {
     let keys = body.contact_keys();
-    let is_second = start.kinds.is_second();
+    let indices = start.kinds.indices(&keys.mixture);
+    let mixture = (keys.mixture, indices);
+    let first = *mixture.0.first();
     let features = OptionalFeatures {
-        second: SecondMaterial::beside(&keys.material, &keys.second, is_second),
+        mixture: Some(mixture).filter(|(mixture, indices)| mixture.differs(indices)),
         densities: start.kinds.densities.clone(),
         ..body.features(start)
     };
     let bodies = (body.bodies(start, &features), &features);
-    let mut packing = build_with(&keys.material, bodies, &keys.method, frozen)?;
+    let mut packing = build_with(&first, bodies, &keys.method, frozen)?;
     // A stored state has its walls where they were.
     if frozen.is_none() {
         body.prepare(&mut body.monitor(), &mut *packing);

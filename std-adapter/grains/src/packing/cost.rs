@@ -1,8 +1,8 @@
 //! What updates of contacts cost, measured, and how long stable steps of springs are.
 
 use super::{
-    Bodies, ContactKeys, Material, Method, ModeSet, OptionalFeatures, Packing, PackingRunError,
-    Springs, build_with,
+    Bodies, Component, ContactKeys, Material, Method, Mixture, ModeSet, OptionalFeatures, Packing,
+    PackingRunError, Springs, build_with,
 };
 use crate::packing::method::FrictionCoupling;
 use nalgebra::Vector3;
@@ -68,7 +68,7 @@ impl PackingCost {
         spheres: usize,
         contacts_a_sphere: impl Fn(ModeSet) -> [f64; 2],
     ) -> Result<Self, PackingRunError> {
-        let material = keys.material;
+        let material = keys.mixture.widest();
         // The same coefficient, or the usual one for smooth spheres.
         let plain = Material {
             sliding: if material.sliding > 0.0 {
@@ -189,7 +189,7 @@ fn block(
             still_speed: 0.0,
         },
         Method::Soft(springs) => {
-            let stable = stable_step(&springs, material, radius, force);
+            let stable = stable_step_between((&springs, material), (radius, force), (&[], &[]));
             Method::Soft(Springs {
                 step_limits: StepLimits {
                     longest: springs.step_limits.longest.min(stable),
@@ -210,12 +210,20 @@ fn block(
     )
 }
 
-/// Length of the stable steps of spheres at rest, of a smallest radius and under a force.
-pub(crate) fn stable_step(springs: &Springs, material: &Material, radius: f64, force: f64) -> f64 {
-    stable_step_between((springs, material), (radius, force), (&[], &[]))
+/// Length of the stable steps of spheres at rest, of a smallest radius before that of their material and under a force:
+/// the lightest under any law.
+pub(crate) fn stable_step(springs: &Springs, mixture: &Mixture, radius: f64, force: f64) -> f64 {
+    let least = |of: fn(&Component) -> f64| mixture.drawn().map(of).fold(f64::INFINITY, f64::min);
+    let radius = radius * least(|component| component.radius);
+    let density = least(|component| component.alike.density);
+    let of = |law: &Material| {
+        let law = Material { density, ..*law };
+        stable_step_between((springs, &law), (radius, force), (&[], &[]))
+    };
+    mixture.all().map(of).fold(f64::INFINITY, f64::min)
 }
 
-/// The same between walls, each with a number of spheres that touch it.
+/// The same under one law between walls, each with a number of spheres that touch it.
 pub(crate) fn stable_step_between(
     (springs, material): (&Springs, &Material),
     (radius, force): (f64, f64),
@@ -227,7 +235,7 @@ pub(crate) fn stable_step_between(
     } else {
         springs.damping
     };
-    let stiffness = springs.stiffness;
+    let stiffness = material.stiffness;
     let laws = (stiffness, damping);
     // What the kernel refuses has no steps.
     let laws_of = material.normal_laws();
@@ -266,7 +274,7 @@ mod tests {
             powder("cohesion_range = 0"),
             (beads.contact_keys(), beads.radius),
         ] {
-            let mut block = block(&keys.material, &keys.method, (radius, 0.01)).unwrap();
+            let mut block = block(keys.mixture.first(), &keys.method, (radius, 0.01)).unwrap();
             let report = block.step().unwrap();
             let found = (report.iterations.sweeps, report.contacts);
             assert_eq!(found, (SWEEPS, TOUCHING), "{keys:?}");

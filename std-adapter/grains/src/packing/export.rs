@@ -1,8 +1,9 @@
 //! What scenes of packings share on their way to LAMMPS: what it cannot hold, the laws in the words of the pair style
 //! `gran/tribos`, steps that are stable during a whole run.
 
-use super::{Kinds, Material, PackingRunError, Springs, stable_step_between};
+use super::{Kinds, Material, Mixture, PackingRunError, Springs, stable_step_between};
 use crate::packing::method::{FrictionCoupling, WallLaw};
+use std::collections::BTreeSet;
 use std::f64::consts::PI;
 use tribos_base::record::number;
 use tribos_contacts::cd::Wall;
@@ -66,9 +67,9 @@ pub(crate) fn head(name: &str) -> [String; 2] {
     [run, load]
 }
 
-/// The law of the spheres, and that of the walls.
-pub(crate) fn laws(material: &Material, springs: &Springs) -> [String; 2] {
-    let spring = match springs.stiffness {
+/// The law of the spheres of a material, and that at walls.
+fn laws(material: &Material, springs: &Springs) -> [String; 2] {
+    let spring = match material.stiffness {
         Stiffness::Linear(k) => format!("hooke {}", number(k)),
         Stiffness::Hertz(modulus) => format!("hertz {}", number(modulus)),
     };
@@ -108,27 +109,64 @@ pub(crate) fn laws(material: &Material, springs: &Springs) -> [String; 2] {
     [full, wall]
 }
 
-/// A step that is stable during a whole run: for the smallest sphere of the lowest density, the largest force of a
-/// contact, and pistons, of these areas, on as many spheres as find room.
+/// The laws of the types of the spheres, as commands of the pair style, and the law of those that move freely at walls;
+/// `None` if that differs from material to material: a fix has one for all.
+pub(crate) fn commands(
+    mixture: &Mixture,
+    springs: &Springs,
+    kinds: &Kinds,
+    is_free: impl Fn(u8) -> bool,
+) -> (String, Option<String>) {
+    let [first, _] = laws(mixture.first(), springs);
+    let mut text = format!("pair_coeff * * {first}\n");
+    let types: BTreeSet<u8> = kinds.materials.iter().copied().collect();
+    for &i in &types {
+        for &j in types.range(i..) {
+            let [pair, _] = mixture.laws([i, j].map(|kind| mixture.index(kind)));
+            let [pair, _] = laws(pair, springs);
+            if pair != first {
+                text += &format!("pair_coeff {i} {j} {pair}\n");
+            }
+        }
+    }
+    let at_wall = |kind: &u8| {
+        let index = mixture.index(*kind);
+        let [_, wall] = laws(mixture.laws([index, index])[1], springs);
+        wall
+    };
+    let free = types.iter().filter(|kind| is_free(**kind));
+    let walls: BTreeSet<String> = free.map(at_wall).collect();
+    let mut walls = walls.into_iter();
+    let wall = walls.next().unwrap_or_else(|| at_wall(&1));
+    (text, walls.next().is_none().then_some(wall))
+}
+
+/// Why a scene whose materials differ at walls is not exported.
+pub(crate) const UNLIKE_WALLS: &str = "a fix wall/gran/tribos has one law for all grains; give all materials the same law at walls, \
+     such as pairs = \"glass-walls: mu=0.3; steel-walls: mu=0.3\" of grains, or no walls";
+
+/// A step that is stable during a whole run: for the smallest sphere of the lowest density, the stiffest contact and the
+/// largest force of one, and pistons, of these areas, on as many spheres as find room.
 pub(crate) fn stable_step(
-    (springs, material): (&Springs, &Material),
+    (springs, mixture): (&Springs, &Mixture),
     (radii, kinds): (&[f64], &Kinds),
     force: f64,
     walls: &[(Wall, f64)],
 ) -> f64 {
     let least = |values: &[f64]| values.iter().copied().fold(f64::INFINITY, f64::min);
     let smallest = least(radii);
-    let material = Material {
-        density: least(&kinds.densities),
-        ..*material
-    };
+    let density = least(&kinds.densities);
     let at = |(_, area): &(Wall, f64)| {
         let room = (CLOSEST * area / (smallest * smallest)).ceil() as usize;
         room.min(radii.len())
     };
     let touching: Vec<usize> = walls.iter().map(at).collect();
     let walls: Vec<Wall> = walls.iter().map(|(wall, _)| *wall).collect();
-    stable_step_between((springs, &material), (smallest, force), (&walls, &touching))
+    let of = |law: &Material| {
+        let law = Material { density, ..*law };
+        stable_step_between((springs, &law), (smallest, force), (&walls, &touching))
+    };
+    mixture.all().map(of).fold(f64::INFINITY, f64::min)
 }
 
 /// Mass of the spheres.

@@ -41,12 +41,12 @@ pub(crate) fn deepest(method: ContactMethod) -> f64 {
 }
 
 /// Spheres with the periods of a scene; `periods` has the lengths of its periodic axes with their keys, `radius` is
-/// the mean radius that it expects of those that move, and `is_bound` tells types that no force moves. A box that deforms
+/// the mean radius that it expects of those that move, `known` the number of materials, and `is_bound` tells types that no force moves. A box that deforms
 /// goes on from the periods of the file.
 pub(crate) fn given(
     (path, columns): (&Path, Option<&PackingColumns>),
     (periods, deforms): ([Option<(f64, &'static str)>; 3], bool),
-    (radius, method): (f64, ContactMethod),
+    (radius, method, known): (f64, ContactMethod, usize),
     is_bound: impl Fn(u8) -> bool,
 ) -> Result<Assembly, AssemblyError> {
     let file = path.display().to_string();
@@ -80,12 +80,13 @@ pub(crate) fn given(
     }
     // Axes repeat in the box of the scene, not in that of the file.
     assembly.set_periods(&file, lengths)?;
-    let known = |material: &u8| *material == 1 || *material == 2 || is_bound(*material);
+    let is_known = |kind: &u8| (1..=known).contains(&usize::from(*kind)) || is_bound(*kind);
     if let Some(materials) = &assembly.materials
-        && let Some(other) = materials.iter().find(|material| !known(material))
+        && let Some(other) = materials.iter().find(|kind| !is_known(kind))
     {
         return Err(refused(format!(
-            "there is a sphere of type {other}, and a scene has two materials; give types 1 and 2"
+            "there is a sphere of type {other}, and the materials of the scene are types 1 to {known}; give these, or more \
+             `materials` of grains, up to 6"
         )));
     }
     if assembly.frozen.is_none() {

@@ -1,75 +1,56 @@
 //! What each sphere of a packing is: its material and its density.
 
-use super::{Material, SecondMaterial, SecondMaterialKeys};
+use super::Mixture;
 use crate::packing::Assembly;
 use nalgebra::Vector3;
 use serde_json::{Map, Value};
 use tribos_base::record::checkpoint::{damaged, hex, numbers, triple};
 use tribos_base::record::{CheckpointError, digest};
 
-/// Numbers of the two materials of a scene. Grains of higher numbers are of the first.
-pub(super) const FIRST: u8 = 1;
-pub(super) const SECOND: u8 = 2;
+/// Type of the spheres of the first material.
+const FIRST: u8 = 1;
 
 /// Material and density of each sphere.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kinds {
-    /// Numbers of the materials, from 1.
+    /// Types, from 1: the numbers of the materials, and of what no force moves.
     pub materials: Vec<u8>,
     pub densities: Vec<f64>,
 }
 
 impl Kinds {
-    /// Spheres of two materials, each with the density of its own.
-    pub fn of(is_second: &[bool], first: &Material, other: &SecondMaterialKeys) -> Self {
-        let number = |&is: &bool| if is { SECOND } else { FIRST };
-        let second = other.density.unwrap_or(first.density);
-        let density = |&is: &bool| if is { second } else { first.density };
+    /// Spheres of these types, each with the density of its material.
+    pub fn of(materials: Vec<u8>, mixture: &Mixture) -> Self {
+        let density = |kind: &u8| mixture.density(*kind);
         Self {
-            materials: is_second.iter().map(number).collect(),
-            densities: is_second.iter().map(density).collect(),
+            densities: materials.iter().map(density).collect(),
+            materials,
         }
     }
 
-    /// Spheres of a file or a run, which keep what they have of both; what they lack is of the scene, whose share
-    /// of a second material is drawn.
-    pub fn given(
-        assembly: &Assembly,
-        (seed, share): (u64, f64),
-        (first, other): (&Material, &SecondMaterialKeys),
-    ) -> Self {
-        let drawn = || SecondMaterial::choose(seed, share, assembly.radii.len());
-        let of_file = assembly.materials.as_ref();
-        let is_second: Vec<bool> = of_file.map_or_else(drawn, |all| {
-            all.iter().map(|&material| material == SECOND).collect()
-        });
-        let mut kinds = Self::of(&is_second, first, other);
-        // Higher numbers stay what they are.
-        let numbers = kinds
-            .materials
-            .iter_mut()
-            .zip(of_file.into_iter().flatten());
-        for (mine, given) in numbers.filter(|(_, given)| **given > SECOND) {
-            *mine = *given;
-        }
-        if let Some(densities) = &assembly.densities {
-            let is_chosen = of_file.is_none() && other.density.is_some();
-            for ((mine, given), is_second) in
-                kinds.densities.iter_mut().zip(densities).zip(is_second)
-            {
-                // Spheres that become the second material have its density.
-                if !(is_chosen && is_second) {
-                    *mine = *given;
-                }
+    /// Spheres of a file or a run, which keep what they have of both; what they lack is of the scene, whose materials
+    /// are drawn.
+    pub fn given(assembly: &Assembly, seed: u64, mixture: &Mixture) -> Self {
+        let drawn = || mixture.draw(seed, assembly.radii.len());
+        let of_file = assembly.materials.clone();
+        let are_drawn = of_file.is_none();
+        let mut kinds = Self::of(of_file.unwrap_or_else(drawn), mixture);
+        let given = assembly.densities.iter().flatten();
+        for ((mine, kind), given) in kinds.densities.iter_mut().zip(&kinds.materials).zip(given) {
+            // Spheres that become another material have its density.
+            let index = mixture.index(*kind);
+            let is_dense = mixture.components()[index].is_dense;
+            if !(are_drawn && index > 0 && is_dense) {
+                *mine = *given;
             }
         }
         kinds
     }
 
-    /// One flag a sphere, true if it is of the second material.
-    pub fn is_second(&self) -> Vec<bool> {
-        let is = |&material: &u8| material == SECOND;
-        self.materials.iter().map(is).collect()
+    /// Index of the material of each sphere.
+    pub fn indices(&self, mixture: &Mixture) -> Vec<u8> {
+        let index = |kind: &u8| mixture.index(*kind) as u8;
+        self.materials.iter().map(index).collect()
     }
 
     /// The materials, unless all are the first.

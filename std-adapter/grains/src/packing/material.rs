@@ -1,6 +1,7 @@
 //! What the contacts of a packing carry.
 
 use crate::packing::method::{FrictionCoupling, WallLaw};
+use tribos_contacts::soft::Stiffness;
 use tribos_core::Error;
 use tribos_core::contact::{Attraction, Cohesion, NormalLaw};
 use tribos_core::coupling::coulomb;
@@ -38,6 +39,8 @@ pub struct Material {
     pub coupling: FrictionCoupling,
     /// Law at walls.
     pub wall: WallLaw,
+    /// Normal spring of soft contacts.
+    pub stiffness: Stiffness,
 }
 
 /// Torque of pure spinning over force limit and radius, under uniform pressure.

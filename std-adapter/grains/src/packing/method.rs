@@ -63,19 +63,12 @@ impl NormalForce {
     }
 }
 
-/// Refuses what soft contacts cannot do; `restitution` and the share of a second material are given together.
+/// Refuses what soft contacts cannot do. `restitution` is the least of all contacts.
 pub(crate) fn soft_rules(
     judge: &mut SceneDiagnostics<'_>,
     attraction: Attraction,
-    [restitution, share]: [f64; 2],
+    restitution: f64,
 ) {
-    if share > 0.0 {
-        let message = format!(
-            "`second_fraction` is {share} and must be 0 with method = \"soft\": springs know one material; \
-             take method = \"contact-dynamics\""
-        );
-        judge.refuse(&["second_fraction", "method"], message);
-    }
     if attraction == Attraction::Resistance {
         let message = "`attraction` must be \"pull\" with method = \"soft\": a resistance to opening \
                        needs constraint forces";

@@ -15,6 +15,7 @@ use tribos_contacts::cd::{
     StepReport, StopRule, Wall, World, WorldError, WorldMaterials, WorldSetup, WorldState,
 };
 use tribos_contacts::problem::GlobalProblem;
+use tribos_contacts::soft::{SoftSetup, Sprung};
 use tribos_core::contact::{
     ContactError, ContactFriction, ContactGeometry, ContactModes, ContactVector, CoupledFriction,
     IndependentFriction, SphereBody,
@@ -113,44 +114,66 @@ fn laws<F: Copy>(
     })
 }
 
+/// The laws of several materials; `of` gives those of one between spheres and at walls.
+fn table<F: Copy>(
+    bodies: &Bodies,
+    extras: &OptionalFeatures,
+    of: impl Fn(&Material) -> Result<WorldMaterials<F>, PackingRunError>,
+) -> Result<Option<MaterialTable<F>>, PackingRunError> {
+    let Some((mixture, indices)) = &extras.mixture else {
+        return Ok(None);
+    };
+    let count = mixture.components().len();
+    let mut laws = Vec::with_capacity(count * count);
+    for a in 0..count {
+        for b in 0..count {
+            let [pair, wall] = mixture.laws([a, b]);
+            laws.push(WorldMaterials {
+                pairs: of(pair)?.pairs,
+                walls: of(wall)?.walls,
+            });
+        }
+    }
+    // The law at a wall is that of the sphere.
+    let law = |[a, b]: [u8; 2]| laws[usize::from(a) * count + usize::from(b)];
+    let walls = vec![0; bodies.walls.len()];
+    Ok(Some(MaterialTable::new(indices.clone(), walls, law)))
+}
+
 /// A world with these contact modes; `friction` gives that of a material between spheres and at walls.
 fn boxed<F: ContactFriction<f64> + Coefficients + Debug + 'static>(
     (material, (bodies, extras), method, frozen): Parts<'_>,
     friction: impl Fn(&Material) -> Result<[F; 2], PackingRunError>,
 ) -> Result<Box<dyn Packing>, PackingRunError> {
     let of = |material: &Material| laws(material, friction(material)?);
-    let first = of(material)?;
-    let mixture = match &extras.second {
-        None => None,
-        Some(second) => {
-            let laws = [first, of(&second.mixed)?, of(&second.material)?];
-            let materials = second.is_second.iter().map(|is| u8::from(*is));
-            // The law at a wall is that of the sphere.
-            let law = |[a, b]: [u8; 2]| WorldMaterials {
-                pairs: laws[usize::from(a + b)].pairs,
-                walls: laws[2 * usize::from(a)].walls,
-            };
-            let walls = vec![0; bodies.walls.len()];
-            Some(MaterialTable::new(materials.collect(), walls, law))
-        }
+    let sprung = |material: &Material| {
+        let stiffness = material.stiffness;
+        let on_spring = |friction| Sprung {
+            stiffness,
+            friction,
+        };
+        laws(material, friction(material)?.map(on_spring))
     };
+    let first = of(material)?;
     let (solver, step_limits, still_speed) = match *method {
         Method::ContactDynamics {
             solver,
             step_limits,
             still_speed,
         } => (solver, step_limits, still_speed),
-        // Springs know no mixtures.
-        Method::Soft(_) if mixture.is_some() => return Err(WorldError::Mixture.into()),
         Method::Soft(springs) => {
-            let spheres = extras.spheres(material, &bodies.radii);
-            return soft::boxed(spheres, (bodies, extras), &springs, frozen, first);
+            let setup = SoftSetup {
+                spheres: extras.spheres(material, &bodies.radii),
+                mixture: table(&bodies, extras, sprung)?,
+                ..SoftSetup::new(first, material.stiffness)
+            };
+            return soft::boxed(setup, (bodies, extras), &springs, frozen);
         }
     };
     let setup = WorldSetup {
         spheres: extras.spheres(material, &bodies.radii),
         mesh: extras.mesh.clone(),
-        mixture,
+        mixture: table(&bodies, extras, of)?,
         space: bodies.space,
         positions: bodies.positions,
         radii: bodies.radii,

@@ -230,9 +230,11 @@ impl<B: PackingBody<N>, const N: usize> PackingRun<B, N> {
 
     /// Numbers and forces of the contacts now.
     pub(crate) fn statistics(&self) -> ContactStatistics {
-        let limits = Limits::of(&self.body.contact_keys().material);
+        let mixture = self.body.contact_keys().mixture;
+        let is_mixed = self.kinds.indices(&mixture).iter().any(|index| *index > 0);
+        let limits = Limits::of(mixture.first());
         ContactStatistics::of(&self.seen.contacts, self.seen.packing.radii(), &limits)
-            .of_materials(self.kinds.is_second().contains(&true))
+            .of_materials(is_mixed)
     }
 
     /// Sums over the steps, with the time up to now.
@@ -535,7 +537,7 @@ impl<B: PackingBody<N>, const N: usize> LongRun for PackingRun<B, N> {
     /// ```
     fn frame(&self) -> Frame {
         let packing = &self.seen.packing;
-        let limits = Limits::of(&self.body.contact_keys().material);
+        let limits = Limits::of(self.body.contact_keys().mixture.first());
         let extents = self.body.extents(&self.seen);
         let (space, radii) = (packing.space(), packing.radii());
         let corner = |end: usize| extents.map(|ends| ends[end] as f32);

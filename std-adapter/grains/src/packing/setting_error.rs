@@ -26,6 +26,14 @@ pub enum SettingError {
     /// The text has no three coordinates.
     #[error("`{0}` must be three numbers such as \"0, 0, 0.1\"")]
     Coordinates(String),
+    /// An entry of a list is wrong.
+    #[error("`{entry}`: {reason}")]
+    Entry {
+        /// The entry.
+        entry: String,
+        /// What is wrong, and what would be valid.
+        reason: String,
+    },
     /// The text names no distribution.
     #[error(
         "give \"uniform:0.2\", \"normal:0.1\", \"lognormal:0.3\" or \"table:FILE.csv\", not \"{0}\""

@@ -8,9 +8,7 @@ use nalgebra::Vector3;
 use std::fmt::Debug;
 use tribos_base::record::{ContactRow, Partner};
 use tribos_base::space::PeriodicBox;
-use tribos_contacts::cd::{
-    AxisControl, EnergyBalance, StepLimits, StepReport, Wall, WorldError, WorldMaterials,
-};
+use tribos_contacts::cd::{AxisControl, EnergyBalance, StepLimits, StepReport, Wall, WorldError};
 use tribos_contacts::problem::GlobalProblem;
 use tribos_contacts::soft::{SoftContact, SoftSetup, SoftState, SoftWorld};
 use tribos_core::contact::{
@@ -26,17 +24,15 @@ struct SoftPacking<F: ContactFriction<f64>> {
     limits: StepLimits,
 }
 
-/// A packing of these spheres, with a mesh if there is one, and these contact modes.
+/// A packing of these spheres, with a mesh if there is one; `laws` has the spheres, their materials and contact modes.
 pub(super) fn boxed<F: ContactFriction<f64> + Debug + 'static>(
-    spheres: Vec<SphereBody<f64>>,
+    laws: SoftSetup<F>,
     (bodies, extras): (Bodies, &OptionalFeatures),
     springs: &Springs,
     frozen: Option<&WorldSnapshot>,
-    laws: WorldMaterials<F>,
 ) -> Result<Box<dyn Packing>, PackingRunError> {
     let limits = springs.step_limits;
     let mut setup = SoftSetup {
-        spheres,
         mesh: extras.mesh.clone(),
         space: bodies.space,
         positions: bodies.positions,
@@ -47,7 +43,7 @@ pub(super) fn boxed<F: ContactFriction<f64> + Debug + 'static>(
         longest: limits.longest,
         steps_per_collision: springs.steps_per_collision,
         cell: extras.cell,
-        ..SoftSetup::new(laws, springs.stiffness)
+        ..laws
     };
     for (sphere, velocity) in setup.spheres.iter_mut().zip(&extras.velocities) {
         sphere.velocity += velocity;

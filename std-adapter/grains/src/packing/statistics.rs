@@ -19,7 +19,7 @@ summary! {
 
 summary! {
     /// Shares of the contacts between spheres that are at their thresholds; none for modes without friction, and in a
-    /// packing of two materials, which has more thresholds than one. See [`Limits`].
+    /// packing of several materials, which has more thresholds than one. See [`Limits`].
     #[derive(Copy, Default)]
     pub struct ThresholdShares = part;
 
@@ -136,7 +136,7 @@ impl ContactStatistics {
         found
     }
 
-    /// Without a share of contacts at their thresholds if a second material has thresholds of its own.
+    /// Without a share of contacts at their thresholds if other materials have thresholds of its own.
     pub(crate) fn of_materials(mut self, is_mixed: bool) -> Self {
         if is_mixed {
             self.at_threshold = ThresholdShares::default();

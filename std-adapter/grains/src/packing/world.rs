@@ -8,7 +8,6 @@ use tribos_base::space::PeriodicBox;
 use tribos_contacts::cd::AxisControl;
 use tribos_contacts::cd::{ContactSolver, EnergyBalance, StepLimits, StepReport, Wall, WorldError};
 use tribos_contacts::problem::GlobalProblem;
-use tribos_contacts::soft::Stiffness;
 use tribos_core::contact::{ContactError, SphereBody};
 
 /// Spheres and walls at the start.
@@ -39,7 +38,6 @@ pub enum Method {
 /// The contacts of soft spheres. A step is as long as the limits allow and is made of stable ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Springs {
-    pub stiffness: Stiffness,
     /// Damping ratio of a material without restitution.
     pub damping: f64,
     pub steps_per_collision: f64,
@@ -100,7 +98,7 @@ pub(crate) fn build(
     )
 }
 
-/// [`build`] with a shear or a second material.
+/// [`build`] with a shear or several materials.
 pub(crate) fn build_with(
     material: &Material,
     bodies: (Bodies, &OptionalFeatures),

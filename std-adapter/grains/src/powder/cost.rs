@@ -70,7 +70,7 @@ pub fn stable_step(scene: &PowderScene) -> Option<f64> {
             let radius = scene.least_radius();
             Some(packing::stable_step(
                 &springs,
-                &scene.material(),
+                &scene.mixture(),
                 radius,
                 0.0,
             ))

@@ -4,7 +4,9 @@ use super::blocked::{LOAD_DEVIATION, PISTON_MOTION, window_time};
 use super::deposit::Deposit;
 use super::start;
 pub use crate::packing::export::ExportError;
-use crate::packing::export::{LARGEST_FORCE, head, laws, mass, stable_step, volume};
+use crate::packing::export::{
+    LARGEST_FORCE, UNLIKE_WALLS, commands, head, mass, stable_step, volume,
+};
 use crate::packing::{Kinds, Method, PackingRunError, Springs};
 use crate::powder::scene::PowderScene;
 use nalgebra::Vector3;
@@ -52,10 +54,20 @@ pub fn start(scene: &PowderScene) -> Result<Export, ExportError> {
         start::start(scene, |_| ControlFlow::Continue(())).map_err(ExportError::Start)?;
     let kinds = &spheres.kinds;
     let stable = longest_step(scene, &springs, (&deposit, kinds));
+    let (pairs, at_walls) = commands(&scene.mixture(), &springs, kinds, |_| true);
+    let at_walls = at_walls.ok_or(ExportError::Beyond {
+        key: "mu_second",
+        reason: UNLIKE_WALLS,
+    })?;
     Ok(Export {
         name: "powder",
         data: data(scene, (&deposit, kinds)),
-        script: script(scene, (&deposit, &springs), stable.min(scene.max_time_step)),
+        script: script(
+            scene,
+            &deposit,
+            [&pairs, &at_walls],
+            stable.min(scene.max_time_step),
+        ),
         notes: Vec::new(),
     })
 }
@@ -75,7 +87,7 @@ fn longest_step(
         scene.load(),
     );
     stable_step(
-        (springs, &scene.material()),
+        (springs, &scene.mixture()),
         (&deposit.radii, kinds),
         LARGEST_FORCE * pressure,
         &[(piston, area)],
@@ -106,8 +118,12 @@ fn data(scene: &PowderScene, (deposit, kinds): (&Deposit, &Kinds)) -> String {
 }
 
 /// The input script.
-fn script(scene: &PowderScene, (deposit, springs): (&Deposit, &Springs), time_step: f64) -> String {
-    let [spheres, walls] = laws(&scene.material(), springs);
+fn script(
+    scene: &PowderScene,
+    deposit: &Deposit,
+    [pairs, walls]: [&str; 2],
+    time_step: f64,
+) -> String {
     let [run, plugin] = head("powder");
     let window = (window_time(scene.piston_mass, scene.load()) / time_step).ceil() as u64;
     // As long as the run may take here: `max_steps` steps of `max_time_step`, or `duration`.
@@ -148,7 +164,7 @@ fn script(scene: &PowderScene, (deposit, springs): (&Deposit, &Springs), time_st
          read_data powder.data\n\n\
          # Springs, dashpots, thresholds of friction over P = F_n + F_coh, cohesion and the gap that it spans.\n\
          # LAMMPS does not know the style gran/tribos unless the plugin is loaded.\n\
-         pair_style gran/tribos\npair_coeff * * {spheres}\n\
+         pair_style gran/tribos\n{pairs}\
          neighbor {skin} bin\nneigh_modify delay 0 every 1 check yes\ntimestep {dt}\n\n\
          fix move all nve/sphere\n{weight}\
          # Wall 1 is the substrate, wall 2 the piston with its load and its mass.\n\

@@ -1,25 +1,28 @@
 //! What a scene of a powder says of its packing: kinds of spheres, material and method.
 
 use crate::packing::method::ContactMethod;
-use crate::packing::{
-    ContactKeys, Kinds, Material, Method, SecondMaterial, SecondMaterialKeys, Springs,
-};
+use crate::packing::{ContactKeys, Kinds, Material, Method, Mixture, SecondMaterialKeys, Springs};
 use crate::powder::scene::PowderScene;
 
 impl PowderScene {
     /// Materials and densities of spheres that no file has.
     pub(super) fn kinds(&self, count: usize) -> Kinds {
-        let is_second = SecondMaterial::choose(self.seed, self.second_fraction, count);
-        Kinds::of(&is_second, &self.material(), &self.differences())
+        let mixture = self.mixture();
+        Kinds::of(mixture.draw(self.seed, count), &mixture)
     }
 
-    /// What the second material has of its own.
-    pub(super) fn differences(&self) -> SecondMaterialKeys {
-        SecondMaterialKeys {
-            density: self.second_density,
-            sliding: self.mu_second,
-            sliding_mixed: self.mu_mixed,
-        }
+    /// The material, and the second one.
+    pub(crate) fn mixture(&self) -> Mixture {
+        Mixture::of_two(
+            self.material(),
+            &SecondMaterialKeys {
+                share: self.second_fraction,
+                radius: 1.0,
+                density: self.second_density,
+                sliding: self.mu_second,
+                sliding_mixed: self.mu_mixed,
+            },
+        )
     }
 
     /// The material of the spheres, in the units of the scene: cohesion and density are 1.
@@ -36,14 +39,14 @@ impl PowderScene {
             torsion: self.mu_torsion,
             coupling: self.coupling,
             wall: self.wall_contact,
+            stiffness: self.spring(),
         }
     }
 
     /// What the scene says of the contacts.
     pub(crate) fn contact_keys(&self) -> ContactKeys {
         ContactKeys {
-            material: self.material(),
-            second: self.differences(),
+            mixture: self.mixture(),
             method: self.contact_method(),
         }
     }
@@ -57,7 +60,6 @@ impl PowderScene {
                 still_speed: self.still_speed,
             },
             ContactMethod::Soft => Method::Soft(Springs {
-                stiffness: self.spring(),
                 damping: self.damping_ratio,
                 steps_per_collision: self.steps_per_collision,
                 step_limits: self.step_limits(),

@@ -240,11 +240,7 @@ fn rules(scene: &PowderScene, judge: &mut SceneDiagnostics<'_>) {
                 judge.refuse(&[key, "method"], message);
             }
         }
-        soft_rules(
-            judge,
-            scene.attraction,
-            [scene.restitution, scene.second_fraction],
-        );
+        soft_rules(judge, scene.attraction, scene.restitution);
     }
     if scene.columns.is_some() && scene.initial_state.is_none() {
         judge.refuse(&["columns"], COLUMNS_ALONE);

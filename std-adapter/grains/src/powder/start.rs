@@ -36,16 +36,16 @@ pub(super) fn start(
 /// Spheres of a file or a run, between substrate and piston.
 fn read(scene: &PowderScene, path: &Path) -> Result<(Deposit, InitialSpheres), AssemblyError> {
     let width = Some((scene.width, "width"));
+    let mixture = scene.mixture();
     let mut assembly = given(
         (path, scene.columns.as_ref()),
         ([width, width, None], false),
-        (1.0, scene.method),
+        (1.0, scene.method, mixture.components().len()),
         |_| false,
     )?;
     in_units_of_first(&mut assembly);
     let of_powder = [Vector3::z(), -Vector3::z()];
-    let drawn = (scene.seed, scene.second_fraction);
-    let kinds = Kinds::given(&assembly, drawn, (&scene.material(), &scene.differences()));
+    let kinds = Kinds::given(&assembly, scene.seed, &mixture);
     let kept = assembly.frozen.take().filter(|frozen| {
         assembly.outward == of_powder && frozen.walls.first().is_some_and(|wall| wall.0 == 0.0)
     });

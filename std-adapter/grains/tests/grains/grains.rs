@@ -343,7 +343,6 @@ fn what_springs_cannot_do_is_refused_with_key_value_and_cure() {
     };
     assert_eq!(refused("stiffness = 1e5\nnormal_law = \"hertz\""), "");
     for (keys, told) in [
-        ("second_fraction = 0.5", "`second_fraction` is 0.5"),
         ("attraction = \"resistance\"", "`attraction`"),
         ("restitution = 0.5\ndamping_ratio = 1", "`damping_ratio`"),
         ("max_iterations = 10", "max_iterations"),

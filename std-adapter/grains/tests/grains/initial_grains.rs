@@ -431,7 +431,7 @@ fn imported_grains_have_the_density_and_the_material_of_each() -> Tested {
     )?;
     let refused =
         GrainsSimulation::new(&scene).map_or_else(|error| error.to_string(), |_| "taken".into());
-    assert!(refused.contains("a scene has two materials"), "{refused}");
+    assert!(refused.contains("are types 1 to 2"), "{refused}");
     Ok(())
 }
 

@@ -4,6 +4,7 @@ mod cost;
 mod gas;
 mod grains;
 mod initial_grains;
+mod materials;
 mod packing_formats;
 mod packing_read;
 mod powder;

@@ -373,7 +373,6 @@ fn keys_of_the_other_method_are_refused() {
         (&["method=soft", "solver=gauss-seidel"][..], "solver"),
         (&["method=soft", "tolerance=1e-3"], "tolerance"),
         (&["method=soft", "max_iterations=10"], "max_iterations"),
-        (&["method=soft", "second_fraction=0.5"], "second_fraction"),
         (&["method=soft", "attraction=resistance"], "attraction"),
         (
             &["method=soft", "restitution=0.5", "damping_ratio=1"],

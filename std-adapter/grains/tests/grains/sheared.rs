@@ -161,15 +161,21 @@ fn grains_all_of_the_second_material_run_as_grains_of_it_alone() -> Answer {
         density: 4000.0,
         ..mixed(0.0)
     };
-    let runs = [second, alone].map(
+    let soft = |scene: &GrainsScene| GrainsScene {
+        method: ContactMethod::Soft,
+        ..scene.clone()
+    };
+    let springs = [soft(&second), soft(&alone)];
+    let runs = [second, alone].into_iter().chain(springs).map(
         |scene| -> Result<_, tribos_grains::packing::PackingRunError> {
             let mut grains = GrainsSimulation::new(&scene)?;
             run_to_end(&mut grains, |_, _| ())?;
             Ok(grains.series().to_vec())
         },
     );
-    let [second, alone] = runs;
-    assert_eq!(second?, alone?);
+    let runs = runs.collect::<Result<Vec<_>, _>>()?;
+    assert_eq!(runs[0], runs[1]);
+    assert_eq!(runs[2], runs[3]);
     Ok(())
 }
 

@@ -10,7 +10,8 @@ use super::grains_body::GrainsBody;
 use super::layout::Layout;
 use crate::grains::scene::{Axis, GrainsScene};
 pub use crate::packing::export::ExportError;
-use crate::packing::{InitialSpheres, Method, PackingBody, SecondMaterial};
+use crate::packing::export::{UNLIKE_WALLS, commands};
+use crate::packing::{InitialSpheres, Method, PackingBody};
 use nalgebra::Vector3;
 use script::Script;
 use std::ops::ControlFlow;
@@ -44,15 +45,19 @@ pub fn start(scene: &GrainsScene) -> Result<Export, ExportError> {
     refuse(scene)?;
     let placed = GrainsBody::place(scene, &mut |_| ControlFlow::Continue(()));
     let (body, start) = placed.map_err(invalid)?;
-    let is_second = start.kinds.is_second();
-    if SecondMaterial::beside(&scene.material(), &scene.differences(), is_second).is_some() {
-        return Err(beyond(
-            "mu_second",
-            "springs know one material; leave out `mu_second` and `mu_mixed`",
-        ));
+    let is_free = |kind| scene.holder(kind).is_none();
+    let (pairs, at_walls) = commands(&scene.mixture(), &springs, &start.kinds, is_free);
+    if at_walls.is_none() && !body.layout.parts.is_empty() {
+        let key = if scene.materials.is_some() {
+            "materials"
+        } else {
+            "mu_second"
+        };
+        return Err(beyond(key, UNLIKE_WALLS));
     }
+    let laws = [pairs, at_walls.unwrap_or_default()];
     let bounds = bounds(scene, &body.layout, &start);
-    let mut script = Script::new(scene, &body, &start, &springs);
+    let mut script = Script::new((scene, &springs), &body, &start, laws);
     Ok(Export {
         name: "grains",
         data: data(scene, &body.layout, &start, bounds),

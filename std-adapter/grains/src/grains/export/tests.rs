@@ -236,10 +236,52 @@ fn what_lammps_cannot_hold_is_refused_with_its_key() {
         told("height = 0.1\nboundary_z = \"periodic\"\ngravity = 0\nshear_rate = 1"),
         "shear_rate"
     );
+    let two = "materials = \"a; b: mu=0.2, share=0.5\"\n";
+    assert_eq!(told(two), "materials");
+    assert_eq!(told("mu_second = 0.2\nsecond_fraction = 0.5"), "mu_second");
     assert!(matches!(
         start(&GrainsScene::default()),
         Err(ExportError::Rigid)
     ));
+}
+
+#[test]
+fn every_pair_of_types_has_its_law() {
+    let bed = "width = 0.06\ncount = 40\nduration = 1\nrough_floor = 0.005\ndamping_ratio = 0.25\n";
+    let three = exported(&format!(
+        "{bed}materials = \"a: mu=0.5; b: mu=0.2, share=0.3, stiffness=3e4; c: mu=0.5, share=0.1\"\n\
+         pairs = \"b-c: mu=0.1, restitution=1; b-walls: mu=0.5, stiffness=1e4\"\n"
+    ));
+    let law = |k: f64, zeta: f64, mu: f64| {
+        format!(
+            "hooke {k:?} damping {zeta:?} sliding {mu:?} coupling separate torsion 0.0 torsion/spring inertia rolling 0.0\n"
+        )
+    };
+    let mixed = |a: f64, b: f64| (a * b).sqrt();
+    // Grains on the floor, of type 7, are of the first material, as is what c has of its own.
+    let series = 2.0 / (1.0 / 1e4 + 1.0 / 3e4);
+    let of_b = law(series, 0.25, mixed(0.5, 0.2));
+    assert_has(
+        &three.script,
+        &[
+            &format!(
+                "pair_style gran/tribos\npair_coeff * * {}",
+                law(1e4, 0.25, 0.5)
+            ),
+            &format!("pair_coeff 1 2 {of_b}"),
+            &format!("pair_coeff 2 2 {}", law(3e4, 0.25, 0.2)),
+            &format!("pair_coeff 2 3 {}", law(series, 0.0, 0.1)),
+            &format!("pair_coeff 2 7 {of_b}"),
+            "neighbor ",
+            "fix walls free wall/gran/tribos hooke 10000.0 damping 0.25 sliding 0.5 ",
+        ],
+    );
+    assert_eq!(three.script.matches("pair_coeff").count(), 5);
+    // Without walls they may differ at them.
+    let free = format!(
+        "{bed}boundary_z = \"periodic\"\nheight = 0.06\ngravity = 0\nmaterials = \"a; b: mu=0.2, share=0.5\"\n"
+    );
+    assert!(start(&soft(&free.replace("rough_floor = 0.005\n", ""))).is_ok());
 }
 
 #[test]
@@ -253,6 +295,10 @@ fn steps_are_as_short_as_the_fall_and_the_springs_ask() {
     assert!((step("stiffness = 1e6") / plain - 0.1).abs() < 1e-6);
     // Hertz contacts stiffen with the load.
     assert!(step("normal_law = \"hertz\"\ngravity = 98.1") < step("normal_law = \"hertz\""));
+    // The stiffest of several materials decides.
+    let steel =
+        "materials = \"a; b: share=0.1, stiffness=1e6\"\npairs = \"b-walls: stiffness=1e4\"";
+    assert!((step(steel) / plain - 0.1).abs() < 1e-6);
     // A wall or a glued grain weighs nothing in it.
     assert_eq!(step("rough_floor = 0.001"), plain);
 }

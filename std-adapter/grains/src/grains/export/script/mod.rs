@@ -10,7 +10,7 @@ use crate::grains::bound::Holder;
 use crate::grains::grains_body::GrainsBody;
 use crate::grains::layout::Layout;
 use crate::grains::scene::{Axis, Container, EndBoundary, GrainsScene};
-use crate::packing::export::{head, laws};
+use crate::packing::export::head;
 use crate::packing::{InitialSpheres, OptionalFeatures, PackingBody, Springs};
 use std::f64::consts::TAU;
 use tribos_base::record::{brief, number};
@@ -27,6 +27,8 @@ pub(super) struct Script<'a> {
     layout: &'a Layout,
     start: &'a InitialSpheres,
     springs: &'a Springs,
+    /// Commands of the laws of pairs, and the law at walls.
+    laws: [String; 2],
     walls: Vec<Wall>,
     clock: Clock,
     /// Kinds of the grains that something holds.
@@ -38,10 +40,10 @@ pub(super) struct Script<'a> {
 
 impl<'a> Script<'a> {
     pub fn new(
-        scene: &'a GrainsScene,
+        (scene, springs): (&'a GrainsScene, &'a Springs),
         body: &'a GrainsBody,
         start: &'a InitialSpheres,
-        springs: &'a Springs,
+        laws: [String; 2],
     ) -> Self {
         let mut walls = body.bodies(start, &OptionalFeatures::default()).walls;
         // Pistons of a run that goes on are where they were, and move as they did.
@@ -67,6 +69,7 @@ impl<'a> Script<'a> {
             layout: &body.layout,
             start,
             springs,
+            laws,
             walls,
             clock: Clock(scene.ramp_period),
             held,
@@ -79,7 +82,7 @@ impl<'a> Script<'a> {
     pub fn text(&mut self) -> String {
         let dt = self.step();
         let lines = (self.scene.sample_every as f64 * self.scene.longest_step() / dt).round();
-        let [spheres, walls] = laws(&self.scene.material(), self.springs);
+        let [pairs, walls] = std::mem::take(&mut self.laws);
         let weight = self.weight();
         let groups = self.groups();
         let walls = self.wall_fixes(&walls);
@@ -109,7 +112,7 @@ impl<'a> Script<'a> {
              read_data grains.data\n\n\
              # Springs, dashpots, thresholds of friction over P = F_n + F_coh and cohesion.\n\
              # LAMMPS does not know the style gran/tribos unless the plugin is loaded.\n\
-             pair_style gran/tribos\npair_coeff * * {spheres}\n\
+             pair_style gran/tribos\n{pairs}\
              neighbor {skin} bin\nneigh_modify delay 0 every 1 check yes\ntimestep {dt}\n\n\
              {clock}{variables}{groups}{weight}\n\
              {walls}\n{series}\n{run}\

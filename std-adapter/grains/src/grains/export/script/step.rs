@@ -62,7 +62,7 @@ impl Script<'_> {
                 walls.push((*wall, areas[axis.index()]));
             }
         }
-        let laws = (self.springs, &scene.material());
+        let laws = (self.springs, &scene.mixture());
         stable_step(laws, (&radii, &kinds), force, &walls).min(scene.longest_step())
     }
 
