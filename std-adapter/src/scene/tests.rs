@@ -43,6 +43,7 @@ fn beside(key: &str) -> String {
         "intruder_position" => "intruder_radius = 0.01\n".into(),
         "adhesion" => "surface_energy = 0.05\n".into(),
         "poisson_ratio" => "young_modulus = 1e9\n".into(),
+        "pairs" => "materials = \"glass: mu=0.5; steel: mu=0.2\"\n".into(),
         _ => {
             let moved = key.strip_prefix("wall_stress_");
             let moved = moved.or(key.strip_prefix("wall_velocity_"));
@@ -74,6 +75,8 @@ fn every_key_sets_its_field() {
                         "sizes" => "normal:0.1",
                         "columns" => "x,y,z,radius",
                         "coordinates" => "0.01, 0, 2.5",
+                        "materials" => "glass: mu=0.5; steel: mu=0.2, share=0.3",
+                        "pairs" => "glass-steel: mu=0.3",
                         other => unreachable!("the form {other}"),
                     };
                     format!("\"{text}\"")

@@ -209,6 +209,38 @@ pub(crate) fn image(
     (near, -image_velocity(&periods, speeds, faster))
 }
 
+/// Moves all spheres alike, along the axes that may change their lengths, so that their centre of mass has the velocity of the
+/// uniform strain there, as if the low ends of the axes rested; the change of their energy. No contact feels it, and else spheres
+/// that an end overtakes would carry it away.
+fn stay(
+    cell: &CellState,
+    control: Option<CellControl>,
+    (spheres, positions): (&mut [SphereBody<f64>], &[Vector3<f64>]),
+) -> f64 {
+    let lengths = cell.space.lengths();
+    let (mut whole, mut wanted) = (0.0, Vector3::zeros());
+    let mut momentum = Vector3::zeros();
+    for (sphere, x) in spheres.iter().zip(positions) {
+        let mass = 1.0 / sphere.inv_mass;
+        whole += mass;
+        momentum += sphere.velocity * mass;
+        wanted += x * mass;
+    }
+    let mut work = 0.0;
+    for axis in 0..3 {
+        let is_free = control.is_some_and(|control| control.axes[axis] != AxisControl::Fixed);
+        if let (true, Some(length)) = (is_free && whole > 0.0, lengths[axis]) {
+            let flow = wanted[axis] / length * cell.speeds[axis];
+            let shift = (flow - momentum[axis]) / whole;
+            work += shift * (momentum[axis] + 0.5 * shift * whole);
+            for sphere in spheres.iter_mut() {
+                sphere.velocity[axis] += shift;
+            }
+        }
+    }
+    work
+}
+
 /// A cell in motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CellState {
@@ -237,6 +269,19 @@ impl CellBody {
     /// Velocity of an image relative to its sphere.
     pub(super) fn image(&self, periods: &[f64; 3]) -> Vector3<f64> {
         -image_velocity(periods, &self.speeds, self.faster)
+    }
+
+    /// The axes with the speeds alone that no contact changes.
+    pub(super) fn driven(&self) -> Self {
+        let driven = |axis: usize| match self.inv_mass[axis] {
+            0.0 => self.free[axis],
+            _ => 0.0,
+        };
+        Self {
+            speeds: [0, 1, 2].map(driven),
+            faster: self.faster,
+            ..Self::default()
+        }
     }
 
     /// The largest motion of an image.
@@ -370,6 +415,12 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         let bodies = (&mut state.spheres[..], &mut state.positions[..]);
         let images = (&cell.space, &cell.speeds, body.faster);
         let work = carry_on(images, bodies, &mut self.listed_at);
+        state.energy.cross(0.0, work);
+        let work = stay(
+            &cell,
+            self.setup.cell,
+            (&mut state.spheres, &state.positions),
+        );
         state.energy.cross(0.0, work);
         Ok(())
     }

@@ -1,5 +1,6 @@
 //! The contact problem of a step as data, for solvers that know nothing of spheres.
 
+use super::cell::CellBody;
 use super::image::{Images, seen};
 use super::operator::Operator;
 use super::residual::Coefficients;
@@ -19,30 +20,54 @@ pub struct PosedProblem {
     pub tangents: Vec<[Vector3<f64>; 2]>,
 }
 
-/// Degrees of freedom of bodies: number of the first, three for a velocity and three for a spin.
+/// Numbers of the degrees of freedom of a body: of its velocity and its spin, along each axis.
 #[derive(Clone, Copy, Debug, Default)]
 struct Freedoms {
-    linear: Option<usize>,
-    angular: Option<usize>,
+    linear: [Option<usize>; 3],
+    angular: [Option<usize>; 3],
+}
+
+/// Three degrees of freedom from the first on.
+fn three(first: Option<usize>) -> [Option<usize>; 3] {
+    [0, 1, 2].map(|axis| first.map(|first| first + axis))
 }
 
 impl<F: ContactFriction<f64> + Coefficients> Spheres<F> {
     /// The problem as data; `None` if one of its laws has no such form: sliding and torsion under a common set that
-    /// is no ellipsoid, or an open gap under a resistance, and of a cell that deforms.
+    /// is no ellipsoid, or an open gap under a resistance.
     pub fn to_problem(&self) -> Option<PosedProblem> {
-        if self.cell.is_some() {
-            return None;
-        }
         let mut posing = Posing::<F::Modes>::new(self);
+        // Images move with the axes of a cell, which are bodies too, or as they are prescribed.
+        let axes = self
+            .cell
+            .as_ref()
+            .map(|cell| (posing.cell(cell), cell.driven()));
+        let mut moved = self
+            .cell
+            .as_ref()
+            .map_or(&[][..], |cell| &cell.periods[..])
+            .iter();
         let mut images = Images::new(&self.images);
         for (number, link) in self.pairs.iter().enumerate() {
             let [a, b] = link.bodies.map(|body| body as usize);
             let (a, b) = (posing.sphere(self, a), posing.sphere(self, b));
-            let prescribed = seen(&b.1, images.of(number));
+            let mut image = images.of(number);
+            let mut border = (Freedoms::default(), [0.0; 3]);
+            if let (Some((freedoms, driven)), Some(_)) = (&axes, image)
+                && let Some(periods) = moved.next()
+            {
+                image = Some(driven.image(periods));
+                border = (*freedoms, *periods);
+            }
+            let prescribed = seen(&b.1, image);
             let rows = |impulse: &ContactVector<f64, F::Modes>| {
                 let (mut first, mut second) = (unit_sphere(), unit_sphere());
                 link.contact.apply(impulse, &mut first, &mut second);
-                [(a.0, first), (b.0, second)]
+                let pushed = SphereBody {
+                    velocity: -second.velocity.component_mul(&Vector3::from(border.1)),
+                    ..still_sphere()
+                };
+                vec![(a.0, first), (b.0, second), (border.0, pushed)]
             };
             let still = link.contact.velocity(&a.1, &prescribed);
             posing.add(&link, self.pair_friction(link.bodies), rows, &still)?;
@@ -54,7 +79,7 @@ impl<F: ContactFriction<f64> + Coefficients> Spheres<F> {
                 let rows = |impulse: &ContactVector<f64, F::Modes>| {
                     let mut first = unit_sphere();
                     link.contact.apply(impulse, &mut first, &mut { *surface });
-                    [(a.0, first), (Freedoms::default(), still_sphere())]
+                    vec![(a.0, first)]
                 };
                 let still = link.contact.velocity(&a.1, surface);
                 posing.add(link, self.wall_friction(link.bodies), rows, &still)?;
@@ -73,7 +98,7 @@ impl<F: ContactFriction<f64> + Coefficients> Spheres<F> {
                     velocity: Vector3::x() * along,
                     ..still_sphere()
                 };
-                [(a.0, first), (normal, pushed)]
+                vec![(a.0, first), (normal, pushed)]
             };
             let still = link.contact.velocity(&a.1, &b);
             posing.add(link, self.wall_friction(link.bodies), rows, &still)?;
@@ -178,6 +203,14 @@ impl<M: ContactModes<f64>> Posing<M> {
         Some(first)
     }
 
+    /// Degrees of freedom of the axes of a cell.
+    fn cell(&mut self, cell: &CellBody) -> Freedoms {
+        Freedoms {
+            linear: [0, 1, 2].map(|axis| self.free(cell.inv_mass[axis], &[cell.free[axis]])),
+            ..Freedoms::default()
+        }
+    }
+
     /// Degrees of freedom of a sphere, and the sphere with its prescribed velocities alone.
     fn sphere<F: ContactFriction<f64>>(
         &mut self,
@@ -188,16 +221,16 @@ impl<M: ContactModes<f64>> Posing<M> {
         let freedoms = match self.spheres[body] {
             Some(known) => known,
             None => Freedoms {
-                linear: self.free(sphere.inv_mass, sphere.velocity.as_slice()),
-                angular: self.free(sphere.inv_inertia, sphere.spin.as_slice()),
+                linear: three(self.free(sphere.inv_mass, sphere.velocity.as_slice())),
+                angular: three(self.free(sphere.inv_inertia, sphere.spin.as_slice())),
             },
         };
         self.spheres[body] = Some(freedoms);
         let mut prescribed = *sphere;
-        if freedoms.linear.is_some() {
+        if sphere.inv_mass != 0.0 {
             prescribed.velocity = Vector3::zeros();
         }
-        if freedoms.angular.is_some() {
+        if sphere.inv_inertia != 0.0 {
             prescribed.spin = Vector3::zeros();
         }
         (freedoms, prescribed)
@@ -221,8 +254,11 @@ impl<M: ContactModes<f64>> Posing<M> {
         if linear.is_some() {
             prescribed.velocity -= normal * along;
         }
-        let angular = None;
-        (Freedoms { linear, angular }, prescribed)
+        let freedoms = Freedoms {
+            linear: [linear, None, None],
+            ..Freedoms::default()
+        };
+        (freedoms, prescribed)
     }
 
     /// Adds a contact, from the impulses on bodies that an impulse at it means and its velocity if only
@@ -231,7 +267,7 @@ impl<M: ContactModes<f64>> Posing<M> {
         &mut self,
         link: &Link<M>,
         friction: &impl Coefficients,
-        rows: impl Fn(&ContactVector<f64, M>) -> [(Freedoms, SphereBody<f64>); 2],
+        rows: impl Fn(&ContactVector<f64, M>) -> Vec<(Freedoms, SphereBody<f64>)>,
         still: &ContactVector<f64, M>,
     ) -> Option<()> {
         let contact = &link.contact;
@@ -283,14 +319,11 @@ impl<M: ContactModes<f64>> Posing<M> {
     }
 
     /// Adds the entries of a column of H for three degrees of freedom.
-    fn enter(&mut self, column: usize, first: Option<usize>, pushed: &Vector3<f64>) {
-        let Some(first) = first else { return };
-        let entries = pushed
-            .iter()
-            .enumerate()
-            .filter(|(_, value)| **value != 0.0);
-        self.arms
-            .extend(entries.map(|(at, value)| (first + at, column, *value)));
+    fn enter(&mut self, column: usize, numbers: [Option<usize>; 3], pushed: &Vector3<f64>) {
+        let entries = numbers.into_iter().zip(pushed);
+        let entries = entries.filter(|(_, value)| **value != 0.0);
+        let entry = |(at, value): (Option<usize>, &f64)| Some((at?, column, *value));
+        self.arms.extend(entries.filter_map(entry));
     }
 
     fn finish(self) -> Option<PosedProblem> {

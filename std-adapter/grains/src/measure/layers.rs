@@ -163,9 +163,10 @@ impl LayerProfile {
         // The state before the first that counts begins its time.
         let begin = times.iter().skip(1).position(|time| *time > from)?;
         let (states, times) = (states.get(begin..)?, times.get(begin..)?);
+        // The box as far as there are spheres: below an open top it ends nowhere.
         let low_and_high = |[low, high]: [f64; 2], state: &Assembly| {
-            let [from, to] = state.bounds[axis];
-            [low.min(from), high.max(to)]
+            let ([from, to], [first, last]) = (state.bounds[axis], state.extent(axis));
+            [low.min(from.max(first)), high.max(to.min(last))]
         };
         let all = states
             .iter()

@@ -401,6 +401,11 @@ fn layers_share_out_volume_momentum_and_stress_across_every_axis() {
 fn layers_are_means_over_time_and_leave_out_what_is_held() {
     let mut state = stirred(None);
     let spheres = state.radii.len();
+    let speed = |states: &[Assembly], from| {
+        let flow = LayerProfile::of(states, (2, 1), from).unwrap();
+        flow.layers[0].velocity[0].mean
+    };
+    let at_rest = speed(&[state.clone(), state.clone()], None);
     let mut faster = state.clone();
     faster
         .velocities
@@ -415,14 +420,11 @@ fn layers_are_means_over_time_and_leave_out_what_is_held() {
         .for_each(|v| v.x += 1.0);
     last.time = Some(4.0);
     // The state at 1 counts for one second, that at 4 for three; the first begins the time.
-    let speed = |states: &[Assembly], from| {
-        LayerProfile::of(states, (2, 1), from).unwrap().layers[0].velocity[0].mean
-    };
-    let at_rest = speed(&[state.clone(), state.clone()], None);
     let states = [state.clone(), faster, last];
     assert!((speed(&states, Some(0.0)) - at_rest - 1.75).abs() < 1e-12);
     assert!((speed(&states, Some(1.0)) - at_rest - 2.0).abs() < 1e-12);
     assert!(LayerProfile::of(&states, (2, 1), Some(4.0)).is_none());
+    state.time = None;
     // Glued grains are no part of the flow; types of other programs' files are.
     state.materials = Some(
         (0..spheres)

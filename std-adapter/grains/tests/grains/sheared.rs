@@ -234,6 +234,7 @@ fn rigid(rate: f64, stress: f64) -> GrainsScene {
     GrainsScene {
         method: ContactMethod::ContactDynamics,
         max_time_step: Some(2e-3),
+        max_displacement: 0.02,
         ..pressed(rate, stress)
     }
 }
