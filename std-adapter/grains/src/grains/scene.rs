@@ -589,7 +589,7 @@ impl GrainsScene {
     /// Whether anything but images bounds the box; a plane has no period along y.
     fn has_walls(&self) -> bool {
         let mut axes = [Axis::X, Axis::Y, Axis::Z].into_iter();
-        axes.any(|axis| !self.is_periodic(axis) && !(axis == Axis::Y && self.is_flat()))
+        axes.any(|axis| !(self.is_periodic(axis) || axis == Axis::Y && self.is_flat()))
     }
 
     /// Whether the scene adds bodies that no force moves.

@@ -376,7 +376,7 @@ fn layers_share_out_volume_momentum_and_stress_across_every_axis() {
         let masses: Vec<f64> = state
             .radii
             .iter()
-            .map(|r| 4.0 / 3.0 * PI * r.powi(3))
+            .map(|r| 4.0 / 3.0 * PI * (r * r * r))
             .collect();
         let moving = || state.velocities.iter().flatten().zip(&masses);
         let whole: Vector3<f64> = moving().map(|(v, m)| v * *m).sum();
