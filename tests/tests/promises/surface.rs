@@ -26,7 +26,7 @@ fn the_surface_changes_only_with_the_file_that_keeps_it() {
 }
 
 /// Items that a user has to know by name. The numbers may only fall; a rise needs a line in CHANGELOG.
-const ITEMS: [(&str, usize); LIBRARIES.len()] = [("tribos-core", 198), ("tribos", 247)];
+const ITEMS: [(&str, usize); LIBRARIES.len()] = [("tribos-core", 198), ("tribos", 252)];
 
 #[test]
 fn no_library_has_more_items_than_it_had() {

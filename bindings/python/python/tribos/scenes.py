@@ -810,8 +810,8 @@ class GrainsScene(Scene):
     orifice_height
         Height of the slot above the floor. *Unit*: m. *Value*: a finite number > 0.
     hopper_angle
-        Angle of the plates of the hopper with the horizontal. *Unit*: degree. *Value*: a number > 0
-        and <= 89.
+        Angle of the plates of the hopper with the horizontal. *Unit*: degree. *Value*: a number >=
+        0 and < 90.
     open_time
         Time at which the slot is opened. *Unit*: s. *Value*: a finite number >= 0.
     drum_angular_velocity
@@ -959,32 +959,28 @@ class GrainsScene(Scene):
         Angle by which gravity leans from -z towards x. *Unit*: degree. *Value*: a finite number, or
         a ramp such as "0:0, 0.5:1e3, 1:0".
     wall_stress_x
-        Stress on the wall at the far end of x, which moves as a piston; where x is periodic and
-        `method` is soft, on the box. *Unit*: Pa. *Value*: a finite number >= 0, or a ramp such as
-        "0:0, 0.5:1e3, 1:0".
+        Stress on the wall at the far end of x, which moves as a piston; where x is periodic, on the
+        box. *Unit*: Pa. *Value*: a finite number >= 0, or a ramp such as "0:0, 0.5:1e3, 1:0".
     wall_stress_y
-        Stress on the wall at the far end of y, which moves as a piston; where y is periodic and
-        `method` is soft, on the box. *Unit*: Pa. *Value*: a finite number >= 0, or a ramp such as
-        "0:0, 0.5:1e3, 1:0".
+        Stress on the wall at the far end of y, which moves as a piston; where y is periodic, on the
+        box. *Unit*: Pa. *Value*: a finite number >= 0, or a ramp such as "0:0, 0.5:1e3, 1:0".
     wall_stress_z
-        Stress on the plate above, which moves as a piston without weight; where z is periodic and
-        `method` is soft, on the box. *Unit*: Pa. *Value*: a finite number >= 0, or a ramp such as
-        "0:0, 0.5:1e3, 1:0".
+        Stress on the plate above, which moves as a piston without weight; where z is periodic, on
+        the box. *Unit*: Pa. *Value*: a finite number >= 0, or a ramp such as "0:0, 0.5:1e3, 1:0".
     piston_mass
         Mass of every piston, and of each axis of a box under a stress; that of all grains together
         if it is left out. *Unit*: kg. *Value*: a finite number > 0.
     wall_velocity_x
-        Speed of the wall at the far end of x along x, or at which the period along x grows (soft
-        grains); negative compresses. *Unit*: m/s. *Value*: a finite number, or a ramp such as "0:0,
-        0.5:1e3, 1:0".
-    wall_velocity_y
-        Speed of the wall at the far end of y along y, or at which the period along y grows (soft
-        grains); negative compresses. *Unit*: m/s. *Value*: a finite number, or a ramp such as "0:0,
-        0.5:1e3, 1:0".
-    wall_velocity_z
-        Speed of the plate above along z, or at which the period along z grows (soft grains);
+        Speed of the wall at the far end of x along x, or at which the period along x grows;
         negative compresses. *Unit*: m/s. *Value*: a finite number, or a ramp such as "0:0, 0.5:1e3,
         1:0".
+    wall_velocity_y
+        Speed of the wall at the far end of y along y, or at which the period along y grows;
+        negative compresses. *Unit*: m/s. *Value*: a finite number, or a ramp such as "0:0, 0.5:1e3,
+        1:0".
+    wall_velocity_z
+        Speed of the plate above along z, or at which the period along z grows; negative compresses.
+        *Unit*: m/s. *Value*: a finite number, or a ramp such as "0:0, 0.5:1e3, 1:0".
     lid_speed_x
         Speed of the plate above along x, which shears the grains. *Unit*: m/s. *Value*: a finite
         number, or a ramp such as "0:0, 0.5:1e3, 1:0".
