@@ -39,6 +39,7 @@ impl LongBody for GrainsScene {
         "stress_ratio",
         "inertial_number",
         "flow_rate",
+        "flow_left",
     ];
     const KEEPS_SERIES: bool = true;
 
@@ -186,7 +187,7 @@ fn has(scene: &GrainsScene, column: &str) -> bool {
         "shear_stress" | "stress_ratio" | "inertial_number" => {
             scene.shear_rate.is_some() || scene.lid_speed_x.range() != [0.0; 2]
         }
-        "flow_rate" => scene.container == Container::Hopper,
+        "flow_rate" | "flow_left" => scene.container == Container::Hopper,
         _ => true,
     }
 }
