@@ -47,7 +47,7 @@ pub fn series(table: &Table) -> Panels {
         .figure(panel(14, "buckled triples of force chains"))
 }
 
-/// The profile of a flow: velocity, solid fraction, stress and temperature of the layers, with standard errors.
+/// The profile of a flow: velocity, solid fraction, stress and its ratio in the layers, with standard errors.
 pub fn layers(profile: &LayerProfile) -> Panels {
     let axis = ["x", "y", "z"][profile.axis];
     let across = format!("stress {axis}{axis}");
@@ -68,7 +68,9 @@ pub fn layers(profile: &LayerProfile) -> Panels {
         .figure(of("velocity x", &|layer| layer.velocity[0]))
         .figure(of("solid fraction", &|layer| layer.solid_fraction))
         .figure(of(&across, &|layer| layer.stress[profile.axis]))
-        .figure(of("granular temperature", &|layer| layer.temperature))
+        .figure(of("shear stress over normal stress, -xz/zz", &|layer| {
+            layer.stress_ratio
+        }))
 }
 
 /// Two columns of a table.

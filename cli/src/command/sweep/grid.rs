@@ -29,7 +29,8 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Reads items of the form key=value,value, where a value may be a [range](super::range).
+    /// Reads items of the form key=value,value, where a value may be a [range](super::range), or a text in quotes that has
+    /// commas.
     pub fn parse(items: &[String]) -> Result<Self, Failure> {
         let mut keys: Vec<Swept> = Vec::new();
         for item in items {
@@ -38,7 +39,13 @@ impl Grid {
                 return Err(Failure::input(message));
             };
             let key = key.trim().to_owned();
-            let expanded: Result<Vec<_>, _> = values.split(',').map(|v| expand(v.trim())).collect();
+            let mut is_quoted = false;
+            let splits = |c: char| {
+                is_quoted ^= c == '"';
+                c == ',' && !is_quoted
+            };
+            let expanded: Result<Vec<_>, _> =
+                values.split(splits).map(|v| expand(v.trim())).collect();
             let values = expanded.map_err(|why| Failure::input(format!("--set {key}: {why}")))?;
             let values = values.concat();
             let twice = (1..values.len()).find(|&at| values[..at].contains(&values[at]));
@@ -105,6 +112,11 @@ mod tests {
         assert_eq!(grid.keys[1].numbers(), None);
         assert_eq!(grid.keys[2].numbers(), Some(vec![3.0, 4.0, 5.0]));
         assert_eq!(Grid::parse(&[])?.len(), 1);
+        let texts = Grid::parse(&["materials=\"a: mu=1, share=0; b\",\"c: mu=2\"".into()])?;
+        assert_eq!(
+            texts.keys[0].values,
+            ["\"a: mu=1, share=0; b\"", "\"c: mu=2\""]
+        );
         for bad in [vec!["a"], vec!["a=1", "a=2"], vec!["a=1,2,1"]] {
             let items: Vec<String> = bad.iter().map(|item| (*item).into()).collect();
             assert!(Grid::parse(&items).is_err(), "{items:?}");

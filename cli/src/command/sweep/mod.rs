@@ -55,7 +55,7 @@ pub struct Arguments {
     #[arg(required_unless_present_any = ["plan", "merge"], requires = "out")]
     scene: Option<PathBuf>,
     /// A key of the scene with its values, or ranges of them with both ends, FROM:TO:STEP or
-    /// FROM:TO:xFACTOR; may be repeated.
+    /// FROM:TO:xFACTOR; a text with commas in "quotes"; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE,...", conflicts_with_all = ["plan", "merge"])]
     sets: Vec<String>,
     /// Runs for each combination: the scene's seed and those after it.

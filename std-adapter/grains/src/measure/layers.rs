@@ -22,6 +22,8 @@ pub struct Layer {
     /// Stress xx, yy, zz and xz, positive for compression: contacts, each by the share of its branch in the layer, and the
     /// motion about the velocity of the layer. NaN where no forces are known.
     pub stress: [TimeAverage; 4],
+    /// Shear stress over normal stress across z, -xz over zz: that of their means.
+    pub stress_ratio: TimeAverage,
 }
 
 /// Profiles of a flow: means over time in layers of equal thickness across an axis. Spheres that no force moves (glued,
@@ -58,6 +60,8 @@ const COLUMNS: &[&str] = &[
     "stress_zz_error",
     "stress_xz",
     "stress_xz_error",
+    "stress_ratio",
+    "stress_ratio_error",
 ];
 
 /// What a layer has at one time.
@@ -99,6 +103,7 @@ impl Layer {
         first
             .chain(std::iter::once(&self.temperature))
             .chain(&self.stress)
+            .chain(std::iter::once(&self.stress_ratio))
     }
 
     fn of(times: &[f64], contents: &[Content], from: f64, has_forces: bool) -> Self {
@@ -122,6 +127,14 @@ impl Layer {
             };
             mean(&value)
         };
+        // As a mean with the normal stress as weight; a layer without it has no ratio.
+        let weights = all(&|content| content.stress().m33.max(0.0));
+        let bears = has_forces && weights.iter().any(|stress| *stress > 0.0);
+        let ratios = all(&|content| match content.stress() {
+            stress if bears && stress.m33 > 0.0 => -stress.m13 / stress.m33,
+            _ if bears => 0.0,
+            _ => f64::NAN,
+        });
         let count = contents.len() as f64;
         let end = |at: usize| all(&|content| content.ends[at]).iter().sum::<f64>() / count;
         Self {
@@ -130,6 +143,7 @@ impl Layer {
             velocity: [0, 1, 2].map(|i| of_mass(&|content| content.velocity()[i])),
             temperature: of_mass(&|content| content.fluctuation().trace() / (3.0 * content.mass)),
             stress: [[0, 0], [1, 1], [2, 2], [0, 2]].map(stress),
+            stress_ratio: TimeAverage::weighted(times, &ratios, &weights, Some(from)),
         }
     }
 }

@@ -372,6 +372,9 @@ fn layers_share_out_volume_momentum_and_stress_across_every_axis() {
             for ((sum, mean), flow) in stress.iter_mut().zip(layer.stress).zip(parts) {
                 *sum += (mean.mean + flow) / 5.0;
             }
+            let [_, _, zz, xz] = layer.stress.map(|mean| mean.mean);
+            let ratio = layer.stress_ratio.mean;
+            assert!(zz <= 0.0 || (ratio + xz / zz).abs() < 1e-12, "{ratio}");
         }
         let masses: Vec<f64> = state
             .radii
