@@ -18,6 +18,8 @@ pub(super) type PairGeometry = ([u32; 2], ContactGeometry<f64>);
 /// Margin of the neighbour list beyond the contact distance, in motions of a step: a longer
 /// list remains valid for more steps.
 const SKIN: f64 = 8.0;
+/// Share of the room in a deforming box that a margin may take.
+const ROOM: f64 = 0.99;
 /// Distance at which surfaces may meet in a step: two bodies that each move by twice the usual motion.
 const MEETING: f64 = 4.0;
 
@@ -29,17 +31,31 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
         ranges.fold(MEETING * self.setup.step_limits.motion, f64::max)
     }
 
+    /// Margin of the neighbour list; as much of it as a box that shrinks has room for, at least the motion of a step.
+    fn room_for_skin(&self) -> f64 {
+        let motion = self.setup.step_limits.motion;
+        let skin = SKIN * motion;
+        let Some(cell) = &self.state.cell else {
+            return skin;
+        };
+        let widest = self.setup.radii.iter().fold(0.0, |most, &r| r.max(most));
+        let lengths = cell.space.lengths().into_iter().flatten();
+        let half = 0.5 * lengths.fold(f64::INFINITY, f64::min);
+        skin.min(ROOM * (half - 2.0 * widest - self.reach()))
+            .max(motion)
+    }
+
     /// Renews the neighbour list once something has moved by half the margin.
     pub(super) fn list_neighbours(&mut self) -> Result<(), WorldError> {
-        let skin = SKIN * self.setup.step_limits.motion;
-        let margin = skin - self.drift;
+        let margin = self.skin - self.drift;
         let far = |(x, y): (&_, &_)| nalgebra::Vector3::norm(&(x - y)) > 0.5 * margin;
         let positions = &self.state.positions;
         let listed = self.listed_at.len() == positions.len();
         if listed && margin > 0.0 && !positions.iter().zip(&self.listed_at).any(far) {
             return Ok(());
         }
-        let reach = self.reach() + skin;
+        self.skin = self.room_for_skin();
+        let reach = self.reach() + self.skin;
         let found = self
             .cells
             .find(&self.space(), positions, &self.setup.radii, reach);

@@ -119,6 +119,8 @@ pub struct World<F: ContactFriction<f64>> {
     pub(super) neighbours: Vec<[u32; 2]>,
     /// Positions for which the neighbour list was built.
     pub(super) listed_at: Vec<Vector3<f64>>,
+    /// Margin of that list.
+    pub(super) skin: f64,
     /// Motion of the images since then, relative to the spheres.
     pub(super) drift: f64,
     /// Deepest overlap as the last step began.
@@ -169,6 +171,7 @@ impl<F: ContactFriction<f64> + Coefficients> World<F> {
             cells: Cells::default(),
             neighbours: Vec::new(),
             listed_at: Vec::new(),
+            skin: 0.0,
             drift: 0.0,
             overlap: 0.0,
             workspace: Workspace::default(),
