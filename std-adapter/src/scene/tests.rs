@@ -120,6 +120,7 @@ fn every_key_sets_its_field() {
                         "drive",
                         "lattice_expansion",
                         "dimension",
+                        "inertial_number",
                         "shear_rate",
                         "columns"
                     ]

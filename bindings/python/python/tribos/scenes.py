@@ -886,7 +886,7 @@ class GrainsScene(Scene):
         rough bottoms and obstacles. Those that `rough_floor` glues are of type 7. *Value*: a whole
         number from 1 to 9, or types such as "2, 3".
     driven_kinds
-        Types of `initial_state` whose grains move as one body with the driven velocity, without
+        Types of `initial_state` whose grains move as one body with the driven velocity and
         rotation. The intruder is of type 8. *Value*: a whole number from 1 to 9, or types such as
         "2, 3".
     intruder_radius
@@ -903,6 +903,12 @@ class GrainsScene(Scene):
     driven_velocity_z
         Velocity of driven grains along z. *Unit*: m/s. *Value*: a finite number, or a ramp such as
         "0:0, 0.5:1e3, 1:0".
+    driven_angular_velocity
+        Rate of rotation of the driven grains as one body, right-handed about an axis through the
+        mean of their centres: an impeller. *Unit*: rad/s. *Value*: a finite number, or a ramp such
+        as "0:0, 0.5:1e3, 1:0".
+    driven_axis
+        Direction of this axis. *Value*: three numbers such as "0, 0, 0.1".
     mesh
         Walls of triangles beside those of the box: an STL file, as text or binary, with the
         coordinates of the box. *Value*: the path of a file or a folder.
@@ -987,6 +993,11 @@ class GrainsScene(Scene):
     shear_rate
         Rate at which a box without walls along x and z is sheared: speed along x over height along
         z. *Unit*: 1/s. *Value*: a finite number.
+    inertial_number
+        Inertial number I of a slow deformation, in place of a rate: the box is sheared at I
+        sqrt(P/density)/(2 radius) under P = `wall_stress_z`; without that key z is shortened at
+        this rate, of its length at the start, under P = `wall_stress_x`. *Value*: a number > 0 and
+        <= 10.
     side_wall_speed_z
         Speed of the walls along x and y upwards, which mobilizes their friction; negative
         downwards. *Unit*: m/s. *Value*: a finite number, or a ramp such as "0:0, 0.5:1e3, 1:0".
@@ -1084,6 +1095,8 @@ class GrainsScene(Scene):
     driven_velocity_x: float | str = 0.0
     driven_velocity_y: float | str = 0.0
     driven_velocity_z: float | str = 0.0
+    driven_angular_velocity: float | str = 0.0
+    driven_axis: str = "0, 0, 1"
     mesh: str | None = None
     mesh_scale: float = 1.0
     mesh_velocity: str = "0, 0, 0"
@@ -1112,6 +1125,7 @@ class GrainsScene(Scene):
     wall_velocity_z: float | str | None = None
     lid_speed_x: float | str = 0.0
     shear_rate: float | None = None
+    inertial_number: float | None = None
     side_wall_speed_z: float | str = 0.0
     shake_amplitude: float = 0.0
     shake_frequency: float = 25.0

@@ -38,7 +38,8 @@ pub fn write(
     (out, plot): (&Path, Option<&str>),
 ) -> Result<Table, Failure> {
     let seeds = plan.seeds as usize;
-    let grid = &plan.grid.with_present_names(possible(tasks)?.keys());
+    let keys = possible(tasks)?.keys();
+    let grid = &plan.grid.with_present_names(keys);
     let table = Table::new(kind(tasks, plot)?, grid, summaries, seeds);
     let csv = frame::csv(&table.columns()).map_err(Failure::run)?;
     write_atomically(&out.join("sweep.csv"), &csv)?;
@@ -47,7 +48,7 @@ pub fn write(
     write_atomically(&out.join("runs.csv"), &csv)?;
     parquet(&table.columns(), &out.join("sweep.parquet"))?;
     parquet(&runs, &out.join("runs.parquet"))?;
-    plot::write(grid, &table, plot.is_some(), out)?;
+    plot::write((grid, keys), &table, plot.is_some(), out)?;
     Ok(table)
 }
 

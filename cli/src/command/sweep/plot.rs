@@ -4,6 +4,7 @@ use super::grid::Grid;
 use super::table::Table;
 use crate::failure::Failure;
 use std::path::Path;
+use tribos::scene::Key;
 use tribos_report::figure::{Axis, Figure, Series};
 use tribos_report::image;
 use tribos_report::surface::Surface;
@@ -11,7 +12,12 @@ use tribos_report::surface::Surface;
 /// Draws a surface over two keys with several numbers each, or `as_lines` over the first one for each number of the
 /// second; a line over one key, or over another column; nothing if there are more of them, or keys with several words, and
 /// says so.
-pub fn write(grid: &Grid, table: &Table, as_lines: bool, out: &Path) -> Result<(), Failure> {
+pub fn write(
+    (grid, keys): (&Grid, &[Key]),
+    table: &Table,
+    as_lines: bool,
+    out: &Path,
+) -> Result<(), Failure> {
     let several = |at: &usize| grid.keys[*at].values.len() > 1;
     let varied: Vec<usize> = (0..grid.keys.len()).filter(several).collect();
     let (kind, title) = (table.kind(), table.kind().title.as_str());
@@ -25,7 +31,17 @@ pub fn write(grid: &Grid, table: &Table, as_lines: bool, out: &Path) -> Result<(
         );
     }
     let numbers: Option<Vec<Vec<f64>>> = varied.iter().map(|&at| grid.keys[at].numbers()).collect();
-    let name = |at: usize| Axis::linear(grid.keys[varied[at]].key.clone());
+    let name = |at: usize| {
+        let name = &grid.keys[varied[at]].key;
+        let unit = keys
+            .iter()
+            .find(|key| key.name == *name)
+            .map(|key| key.unit);
+        Axis::linear(match unit {
+            None | Some("-") => name.clone(),
+            Some(unit) => format!("{name} [{unit}]"),
+        })
+    };
     let figure = || Figure::new(title, name(0), Axis::linear(label.clone()));
     match numbers.as_deref() {
         Some([xs]) => {

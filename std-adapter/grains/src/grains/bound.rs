@@ -88,6 +88,13 @@ impl GrainsScene {
     }
 }
 
+/// Mean of the places at the start of the driven grains.
+pub(super) fn centre(bound: &[BoundGrain]) -> Vector3<f64> {
+    let driven = bound.iter().filter(|held| held.holder == Holder::Drive);
+    let places: Vec<_> = driven.map(|held| held.start).collect();
+    places.iter().sum::<Vector3<f64>>() / places.len().max(1) as f64
+}
+
 /// Adds the glued grains of a scene and its intruder to the free ones.
 pub(super) fn add(scene: &GrainsScene, start: &mut InitialSpheres) {
     let height = layout::height(scene, start);

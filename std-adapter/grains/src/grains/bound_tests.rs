@@ -358,3 +358,101 @@ fn what_cannot_be_is_refused_before_work_starts() {
         "{message}"
     );
 }
+
+/// Four driven grains on a cross that turns about a slanted axis in a gas of grains.
+#[test]
+fn an_impeller_turns_as_one_body_and_does_the_work_of_its_torque() {
+    let home = tempfile::tempdir().unwrap();
+    let file = home.path().join("cross.xyz");
+    let mut text = String::from("31\nProperties=pos:R:3:radius:R:1:type:I:1\n");
+    for arm in [[0.01, 0.0], [-0.01, 0.0], [0.0, 0.01], [0.0, -0.01]] {
+        text += &format!("{} {} 0.03 0.004 8\n", 0.03 + arm[0], 0.03 + arm[1]);
+    }
+    let places = (0..64).map(|at| [at % 4, at / 4 % 4, at / 16]);
+    let apart = |at: &[usize; 3]| at.iter().any(|along| ![1, 2].contains(along));
+    for at in places.filter(apart).step_by(2).take(27) {
+        let [x, y, z] = at.map(|along| 0.0075 + 0.015 * along as f64);
+        text += &format!("{x} {y} {z} 0.0035 1\n");
+    }
+    std::fs::write(&file, text).unwrap();
+    for method in METHODS {
+        let scene = GrainsScene {
+            width: 0.06,
+            height: Some(0.06),
+            boundary_z: EndBoundary::Periodic,
+            initial_state: Some(file.clone()),
+            radius: 0.0035,
+            driven_angular_velocity: 20.0.into(),
+            driven_velocity_y: 0.05.into(),
+            driven_axis: Coordinates([0.0, 3.0, 4.0]),
+            gravity: 0.0.into(),
+            duration: 0.3,
+            tolerance: 1e-10,
+            max_displacement: 0.01,
+            sample_every: 1,
+            method,
+            ..GrainsScene::default()
+        };
+        let run = run(&scene);
+        let packing = &run.seen.packing;
+        // Half the turn of a rotation about (0, 0.6, 0.8): arms by Rodrigues' formula in quaternions.
+        let time = packing.clock().0;
+        let turn = nalgebra::Quaternion::new(0.0, 0.0, 0.6, 0.8) * libm::sin(10.0 * time)
+            + nalgebra::Quaternion::new(libm::cos(10.0 * time), 0.0, 0.0, 0.0);
+        let arm = nalgebra::Quaternion::new(0.0, 0.01, 0.0, 0.0);
+        let turned = (turn * arm * turn.conjugate()).imag();
+        let centre = Vector3::new(0.03, 0.03 + 0.05 * time, 0.03);
+        // A step goes along the tangent.
+        let off = (packing.positions()[0] - centre - turned).norm();
+        assert!(off < 1e-4, "{method:?} {off:e}");
+        let grain = &packing.spheres()[0];
+        assert!((grain.spin - Vector3::new(0.0, 12.0, 16.0)).norm() < 1e-12);
+        let energy = packing.energy();
+        assert!(energy.work > 1e-6, "{method:?} {energy:?}");
+        let tolerance = if method == ContactMethod::Soft {
+            5e-3
+        } else {
+            1e-9
+        };
+        assert!(
+            energy.imbalance().abs() < tolerance * energy.work,
+            "{method:?} {:e} of {:e}",
+            energy.imbalance(),
+            energy.work
+        );
+        assert_eq!(broken(&scene, 20), without_clock(&run));
+    }
+}
+
+#[test]
+fn an_inertial_number_sets_the_rate_of_a_slow_deformation() {
+    let scene = |text: &str| {
+        let text = format!(
+            "body = \"grains\"\nmethod = \"soft\"\nwidth = 0.06\nheight = 0.06\nboundary_z = \"periodic\"\ngravity = 0\n\
+             radius = 0.005\ndensity = 2500\ncount = 60\nduration = 0.02\nsample_every = 1\n{text}"
+        );
+        GrainsScene::parse("slow.toml", &text, &[]).map_err(|refused| refused.to_string())
+    };
+    // I = rate d √(ρ/P): 0.01 · √(1000/2500)/0.01 s⁻¹.
+    let rate = 0.632_455_532_033_675_9;
+    let sheared = scene("inertial_number = 0.01\nwall_stress_z = 1000").unwrap();
+    let line = run(&sheared).outcome().end;
+    assert!((line.shear_rate / rate - 1.0).abs() < 1e-12);
+    let pressed =
+        scene("inertial_number = 0.01\nwall_stress_x = 1000\nwall_stress_y = 1000").unwrap();
+    let line = run(&pressed).outcome().end;
+    let strain = 1.0 - line.height / 0.06;
+    assert!((strain / (rate * line.time) - 1.0).abs() < 1e-9, "{strain}");
+    assert_eq!(line.shear_rate, 0.0);
+    for refused in [
+        "inertial_number = 0.01",
+        "inertial_number = 0.01\nwall_stress_z = \"0:10, 1:20\"",
+        "inertial_number = 0.01\nwall_stress_z = 1000\nshear_rate = 1",
+        "inertial_number = 0.01\nwall_stress_x = 1000\nwall_velocity_z = 1",
+    ] {
+        assert!(
+            scene(refused).unwrap_err().contains("inertial_number"),
+            "{refused}"
+        );
+    }
+}

@@ -52,7 +52,7 @@ impl GrainsScene {
     /// Random velocities of a sheared box, of the rate times the radius and without momentum: the places of the
     /// start lie in layers, which would pass each other.
     pub(super) fn agitation(&self, count: usize) -> Vec<Vector3<f64>> {
-        let Some(rate) = self.shear_rate else {
+        let Some(rate) = self.sheared() else {
             return Vec::new();
         };
         let mut random = Random::new(self.seed, VELOCITIES);

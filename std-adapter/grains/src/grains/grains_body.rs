@@ -148,14 +148,14 @@ impl PackingBody<{ COLUMNS.len() }> for GrainsBody {
 
     fn features(&self, start: &InitialSpheres) -> OptionalFeatures {
         let axes = self.loads.axes(0.0);
-        let is_driven = axes != [AxisControl::Fixed; 3] || self.scene.shear_rate.is_some();
+        let is_driven = axes != [AxisControl::Fixed; 3] || self.scene.sheared().is_some();
         OptionalFeatures {
             cell: is_driven.then(|| CellControl {
                 axes,
-                shear_rate: self.scene.shear_rate.unwrap_or(0.0),
+                shear_rate: self.scene.sheared().unwrap_or(0.0),
                 mass: self.piston_mass(start),
             }),
-            shear_rate: self.scene.shear_rate.unwrap_or(0.0),
+            shear_rate: self.scene.sheared().unwrap_or(0.0),
             velocities: self.scene.agitation(start.radii.len()),
             bound: self.loads.bound().iter().map(|held| held.grain).collect(),
             mesh: self.mesh.clone(),

@@ -48,7 +48,7 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<InitialSpheres, PackingRunEr
         (scene.radius, scene.method, mixture.components().len()),
         |kind| scene.holder(kind).is_some(),
     )?;
-    let is_driven = scene.shear_rate.is_some() || scene.deforms();
+    let is_driven = scene.sheared().is_some() || scene.deforms();
     if scene.method == ContactMethod::Soft && assembly.space.offset() != 0.0 && !is_driven {
         return Err(AssemblyError::Content {
             file: path.display().to_string(),
@@ -71,7 +71,7 @@ fn read(scene: &GrainsScene, path: &Path) -> Result<InitialSpheres, PackingRunEr
         contacts: Vec::new(),
         frozen: None,
     };
-    if scene.shear_rate.is_some() && !scene.bound(&start).is_empty() {
+    if scene.sheared().is_some() && !scene.bound(&start).is_empty() {
         return Err(AssemblyError::Content {
             file: path.display().to_string(),
             reason: "a sheared box has no fixed or driven grains; leave out `shear_rate`".into(),

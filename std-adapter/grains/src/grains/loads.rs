@@ -1,6 +1,6 @@
 //! What drives the grains: gravity, pistons, moving plates, shaking, each at its time.
 
-use super::bound::{BoundGrain, Holder};
+use super::bound::{self, BoundGrain, Holder};
 use super::layout::Layout;
 use super::ramp::Ramp;
 use super::wall::{AxisEnd, InitialWall, PLATE, WallId};
@@ -44,6 +44,7 @@ pub(super) struct Loads {
     repeat: Option<f64>,
     /// Velocity of driven grains, and all grains that no force moves.
     drive: [Ramp; 3],
+    turn: Turn,
     bound: Vec<BoundGrain>,
     /// Velocity of the plate above along z, if it has one.
     lid: Option<Ramp>,
@@ -57,6 +58,14 @@ enum AxisLoad {
     Fixed,
     Stress(Ramp),
     Speed(Ramp),
+}
+
+/// The rotation of driven grains about an axis through their centre at the start, which moves with them.
+#[derive(Clone, Debug)]
+struct Turn {
+    rate: Ramp,
+    axis: Vector3<f64>,
+    centre: Vector3<f64>,
 }
 
 /// A harmonic motion of the box.
@@ -84,6 +93,7 @@ impl Loads {
             WallId::Facet(along) => WallControl::Facet(along),
         };
         let wall = |part: &InitialWall| (part.face, control(part.face), part.place);
+        let bound = scene.bound(start);
         Self {
             gravity: scene.gravity.clone(),
             angle: scene.gravity_angle.clone(),
@@ -105,6 +115,11 @@ impl Loads {
                 match (scene.pressure(axis), scene.velocity(axis)) {
                     (Some(stress), _) => AxisLoad::Stress(stress.clone()),
                     (None, Some(speed)) => AxisLoad::Speed(speed.clone()),
+                    (None, None) if axis == Axis::Z && scene.compression().is_some() => {
+                        let length = layout.space.lengths()[2].unwrap_or(0.0);
+                        let rate = scene.compression().unwrap_or(0.0);
+                        AxisLoad::Speed((-rate * length).into())
+                    }
                     (None, None) => AxisLoad::Fixed,
                 }
             }),
@@ -113,7 +128,12 @@ impl Loads {
                 scene.driven_velocity_y.clone(),
                 scene.driven_velocity_z.clone(),
             ],
-            bound: scene.bound(start),
+            turn: Turn {
+                rate: scene.driven_angular_velocity.clone(),
+                axis: scene.driven_axis.direction(),
+                centre: bound::centre(&bound),
+            },
+            bound,
             lid: scene.wall_velocity_z.clone(),
         }
     }
@@ -123,8 +143,21 @@ impl Loads {
         &self.bound
     }
 
-    /// Displacement and velocity at a time of the grains that something holds.
-    pub fn motion(&self, holder: Holder, time: f64) -> [Vector3<f64>; 2] {
+    /// Place of a grain that something holds at a time, and its velocity and spin.
+    fn pose(&self, held: &BoundGrain, time: f64) -> (Vector3<f64>, [Vector3<f64>; 2]) {
+        let [shift, velocity] = self.shift(held.holder, time);
+        let [rate, angle] = self.follow(&self.turn.rate, time);
+        if held.holder != Holder::Drive || (rate, angle) == (0.0, 0.0) {
+            return (held.start + shift, [velocity, Vector3::zeros()]);
+        }
+        let spin = self.turn.axis * rate;
+        let turned = rotated(held.start - self.turn.centre, self.turn.axis, angle);
+        let place = self.turn.centre + shift + turned;
+        (place, [velocity + spin.cross(&turned), spin])
+    }
+
+    /// Displacement and velocity at a time of the grains that something holds, without rotation.
+    fn shift(&self, holder: Holder, time: f64) -> [Vector3<f64>; 2] {
         let along = |ramp: &Ramp, axis: Vector3<f64>| {
             let [speed, way] = self.follow(ramp, time);
             [axis * way, axis * speed]
@@ -199,11 +232,9 @@ impl Loads {
         let extents = layout.extents(packing);
         packing.set_gravity(self.gravity(time));
         packing.set_axes(self.axes(time));
-        for holder in [Holder::Box, Holder::Drive, Holder::Lid] {
-            let [shift, velocity] = self.motion(holder, time);
-            for held in self.bound.iter().filter(|held| held.holder == holder) {
-                packing.place(held.grain, held.start + shift, velocity);
-            }
+        for held in &self.bound {
+            let (place, motion) = self.pose(held, time);
+            packing.place(held.grain, place, motion);
         }
         let (shift, swing) = self.shake.at(time);
         let walls = packing.walls_mut().iter_mut();
@@ -249,6 +280,12 @@ impl Loads {
             }
         }
     }
+}
+
+/// A vector turned about a unit vector, right-handed (Rodrigues).
+fn rotated(arm: Vector3<f64>, axis: Vector3<f64>, angle: f64) -> Vector3<f64> {
+    let (sin, cos) = libm::sincos(angle);
+    arm * cos + axis.cross(&arm) * sin + axis * (axis.dot(&arm) * (1.0 - cos))
 }
 
 impl Shake {

@@ -290,9 +290,9 @@ impl PackingState<'_> {
         let [driven, driven_torque] = self.load_on(Holder::Drive);
         let [mesh, mesh_torque] = self.load_on_mesh();
         let plate_speed = self.loads.plate_speed(time);
-        let shear_rate = self.scene.shear_rate.unwrap_or(plate_speed / height);
+        let shear_rate = self.scene.sheared().unwrap_or(plate_speed / height);
         let shear_stress = self.shear_stress(-plate.x / plate_area, stress.m13);
-        let normal_stress = match self.scene.shear_rate {
+        let normal_stress = match self.scene.sheared() {
             Some(_) => stress.m33,
             None => plate.z / plate_area,
         };
@@ -374,7 +374,7 @@ impl PackingState<'_> {
 
     /// Shear stress on the plate; of the contacts in a sheared box without walls.
     fn shear_stress(&self, plate: f64, stress_xz: f64) -> f64 {
-        if self.scene.shear_rate.is_none() {
+        if self.scene.sheared().is_none() {
             plate
         } else {
             -stress_xz
@@ -383,7 +383,7 @@ impl PackingState<'_> {
 
     /// Shear stress of the contacts over the rate of a sheared box; 0 without a rate.
     fn viscosity(&self, stress_xz: f64) -> f64 {
-        match self.scene.shear_rate {
+        match self.scene.sheared() {
             Some(rate) if rate != 0.0 => -stress_xz / rate,
             _ => 0.0,
         }

@@ -28,7 +28,7 @@ pub(super) fn of(scene: &GrainsScene) -> Result<Option<MovingMesh>, PackingRunEr
     Ok(Some(MovingMesh {
         mesh: Arc::new(mesh),
         velocity: vector(scene.mesh_velocity),
-        axis: vector(scene.mesh_axis).normalize(),
+        axis: scene.mesh_axis.direction(),
         rate: scene.mesh_angular_velocity,
         centre: vector(scene.mesh_centre),
     }))

@@ -159,8 +159,7 @@ scene! {
     /// Types of `initial_state` whose grains stay where they are in the box, whatever pushes them: rough bottoms and
     /// obstacles. Those that `rough_floor` glues are of type 7.
     fixed_kinds: GrainTypes = GrainTypes::FLOOR, "-", TYPES;
-    /// Types of `initial_state` whose grains move as one body with the driven velocity, without rotation. The intruder is
-    /// of type 8.
+    /// Types of `initial_state` whose grains move as one body with the driven velocity and rotation. The intruder is of type 8.
     driven_kinds: GrainTypes = GrainTypes::DRIVEN, "-", TYPES;
     /// Radius of an intruder, a sphere that moves with the driven velocity through the grains.
     intruder_radius: Option<f64> = None, "m", Positive, Without("initial_state");
@@ -172,6 +171,10 @@ scene! {
     driven_velocity_y: Ramp = Ramp::from(0.0), "m/s", RAMP;
     /// Velocity of driven grains along z.
     driven_velocity_z: Ramp = Ramp::from(0.0), "m/s", RAMP;
+    /// Rate of rotation of the driven grains as one body, right-handed about an axis through the mean of their centres: an impeller.
+    driven_angular_velocity: Ramp = Ramp::from(0.0), "rad/s", RAMP;
+    /// Direction of this axis.
+    driven_axis: Coordinates = Coordinates([0.0, 0.0, 1.0]), "-", COORDINATES;
     /// Walls of triangles beside those of the box: an STL file, as text or binary, with the coordinates of the box.
     mesh: Option<PathBuf> = None, "-", Path;
     /// Factor from the lengths of `mesh` to those of the box, such as 0.001 for millimetres.
@@ -232,6 +235,9 @@ scene! {
     lid_speed_x was plate_speed: Ramp = Ramp::from(0.0), "m/s", RAMP, OnlyWith("boundary_z", "walls");
     /// Rate at which a box without walls along x and z is sheared: speed along x over height along z.
     shear_rate: Option<f64> = None, "1/s", Finite, OnlyWith("boundary_z", "periodic");
+    /// Inertial number I of a slow deformation, in place of a rate: the box is sheared at I sqrt(P/density)/(2 radius) under P =
+    /// `wall_stress_z`; without that key z is shortened at this rate, of its length at the start, under P = `wall_stress_x`.
+    inertial_number: Option<f64> = None, "-", Between { above: 0.0, up_to: 10.0 }, OnlyWith("boundary_z", "periodic");
     /// Speed of the walls along x and y upwards, which mobilizes their friction; negative downwards.
     side_wall_speed_z was wall_speed: Ramp = Ramp::from(0.0), "m/s", RAMP;
     /// Amplitude with which the box is shaken: all walls that are neither piston nor moved otherwise.
@@ -340,10 +346,15 @@ fn rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
         let message = "`height` is the period where boundary_z = \"periodic\"; give it";
         judge.refuse(&["height", "boundary_z"], message);
     }
-    if scene.shear_rate.is_some() && scene.boundary_x == SideBoundary::Walls {
-        let message =
-            "a shear needs boundary_x = \"periodic\"; leave `shear_rate` out or `boundary_x`";
-        judge.refuse(&["shear_rate", "boundary_x"], message);
+    let sheared_by = match scene.inertial_number {
+        Some(_) => "inertial_number",
+        None => "shear_rate",
+    };
+    if scene.sheared().is_some() && scene.boundary_x == SideBoundary::Walls {
+        let message = format!(
+            "a shear needs boundary_x = \"periodic\"; leave `{sheared_by}` out or `boundary_x`"
+        );
+        judge.refuse(&[sheared_by, "boundary_x"], message);
     }
     let mass = scene.density
         * std::f64::consts::TAU
@@ -369,6 +380,7 @@ fn rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
         judge.refuse(&["average_from", "duration"], message);
     }
     gravity_rule(scene, judge);
+    slow_rules(scene, judge);
     bound_rules(scene, judge);
     material_rules(scene, judge);
     materials_rules(scene, judge);
@@ -417,10 +429,35 @@ fn rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
     }
 }
 
+/// An inertial number needs a constant stress, and stands alone.
+fn slow_rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
+    if scene.inertial_number.is_none() {
+        return;
+    }
+    for (key, given) in [
+        ("shear_rate", scene.shear_rate.is_some()),
+        ("wall_velocity_z", scene.wall_velocity_z.is_some()),
+    ] {
+        if given {
+            let message = format!("give `inertial_number` or `{key}`, not both");
+            judge.refuse(&["inertial_number", key], message);
+        }
+    }
+    let rate = scene.sheared().or(scene.compression());
+    if rate.is_none_or(|rate| rate <= 0.0) {
+        let message = "`inertial_number` needs a constant stress above 0: `wall_stress_z` for a shear, or `wall_stress_x` alone for \
+                       a compression along z";
+        judge.refuse(
+            &["inertial_number", "wall_stress_z", "wall_stress_x"],
+            message,
+        );
+    }
+}
+
 /// Refuses gravity where nothing bears the grains: they would fall for ever.
 fn gravity_rule(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
     let walls = [scene.boundary_x, scene.boundary_y].contains(&SideBoundary::Walls)
-        && scene.shear_rate.is_none();
+        && scene.sheared().is_none();
     let [_, most] = scene.gravity.range();
     if scene.boundary_z == EndBoundary::Periodic && !walls && scene.mesh.is_none() && most > 0.0 {
         let message = format!(
@@ -476,7 +513,7 @@ fn bound_rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
         let message = "give `intruder_radius` and `intruder_position`, or neither";
         judge.refuse(&["intruder_radius", "intruder_position"], message);
     }
-    if scene.shear_rate.is_some() && scene.intruder_radius.is_some() {
+    if scene.sheared().is_some() && scene.intruder_radius.is_some() {
         judge.refuse(
             &["shear_rate", "intruder_radius"],
             "a sheared box has no intruder",
@@ -487,11 +524,20 @@ fn bound_rules(scene: &GrainsScene, judge: &mut SceneDiagnostics<'_>) {
         let message = "with dimension = 2 there is no `mesh`, and an intruder lies at y = 0";
         judge.refuse(&["dimension", "mesh", "intruder_position"], message);
     }
-    if scene.mesh_axis.0 == [0.0; 3] {
-        judge.refuse(
-            &["mesh_axis"],
-            "`mesh_axis` must have a direction, such as \"0, 0, 1\"",
-        );
+    let turns = scene.driven_angular_velocity.constant() != Some(0.0);
+    if scene.is_flat() && turns && (scene.driven_axis.0[0], scene.driven_axis.0[2]) != (0.0, 0.0) {
+        let message =
+            "with dimension = 2 driven grains turn about y: set driven_axis = \"0, 1, 0\"";
+        judge.refuse(&["dimension", "driven_axis"], message);
+    }
+    for (key, axis) in [
+        ("driven_axis", scene.driven_axis),
+        ("mesh_axis", scene.mesh_axis),
+    ] {
+        if axis.0 == [0.0; 3] {
+            let message = format!("`{key}` must have a direction, such as \"0, 0, 1\"");
+            judge.refuse(&[key], message);
+        }
     }
 }
 
@@ -586,6 +632,32 @@ impl GrainsScene {
             .any(|axis| self.is_periodic(*axis) && driven(axis))
     }
 
+    /// Rate at which the box is sheared, if it is.
+    pub(crate) fn sheared(&self) -> Option<f64> {
+        let slow = || {
+            self.wall_stress_z
+                .as_ref()
+                .and_then(|stress| self.slow_rate(stress))
+        };
+        self.shear_rate.or_else(slow)
+    }
+
+    /// Rate at which `inertial_number` shortens z, in its length at the start.
+    pub(super) fn compression(&self) -> Option<f64> {
+        if self.wall_stress_z.is_some() {
+            return None;
+        }
+        self.wall_stress_x
+            .as_ref()
+            .and_then(|stress| self.slow_rate(stress))
+    }
+
+    /// Rate of deformation of the inertial number under a stress: I sqrt(P/density)/d.
+    fn slow_rate(&self, stress: &Ramp) -> Option<f64> {
+        let root = libm::sqrt(stress.constant()? / self.density);
+        Some(self.inertial_number? * root / (2.0 * self.radius))
+    }
+
     /// Whether anything but images bounds the box; a plane has no period along y.
     fn has_walls(&self) -> bool {
         let mut axes = [Axis::X, Axis::Y, Axis::Z].into_iter();
@@ -612,10 +684,10 @@ impl GrainsScene {
             )
         } else if self.is_periodic(axis)
             && self.method != ContactMethod::Soft
-            && self.restitution > 0.0
+            && self.mixture().all().any(|law| law.restitution > 0.0)
         {
             Some(
-                "deforms the box: rigid grains in it need restitution = 0, and method = \"soft\" takes any",
+                "deforms the box: rigid grains in it need restitution = 0, in `materials` and `pairs` too; method = \"soft\" takes any",
             )
         } else {
             None

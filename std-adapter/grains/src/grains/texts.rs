@@ -1,6 +1,7 @@
 //! Texts of a scene: types of grains, and points.
 
 use crate::packing::SettingError;
+use nalgebra::Vector3;
 use std::fmt;
 use std::str::FromStr;
 use tribos_base::scene::entries::Written;
@@ -101,6 +102,15 @@ impl Setting for GrainTypes {
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Coordinates(pub [f64; 3]);
+
+impl Coordinates {
+    /// The unit vector along them; zero if they are.
+    pub(super) fn direction(self) -> Vector3<f64> {
+        let along = Vector3::from(self.0);
+        let scaled = along / along.amax().max(f64::MIN_POSITIVE);
+        scaled.try_normalize(0.0).unwrap_or_default()
+    }
+}
 
 impl fmt::Display for Coordinates {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -312,11 +312,11 @@ impl<F: ContactFriction<f64> + Coefficients + Debug> Packing for World<F> {
         &mut self.state_mut().walls
     }
 
-    fn place(&mut self, sphere: usize, at: Vector3<f64>, velocity: Vector3<f64>) {
+    fn place(&mut self, sphere: usize, at: Vector3<f64>, [velocity, spin]: [Vector3<f64>; 2]) {
         let state = self.state_mut();
         state.positions[sphere] = at;
         let body = &mut state.spheres[sphere];
-        (body.velocity, body.spin) = (velocity, Vector3::zeros());
+        (body.velocity, body.spin) = (velocity, spin);
     }
 
     fn space(&self) -> PeriodicBox {

@@ -158,11 +158,11 @@ impl<F: ContactFriction<f64> + Debug> Packing for SoftPacking<F> {
         &mut self.world.state_mut().walls
     }
 
-    fn place(&mut self, sphere: usize, at: Vector3<f64>, velocity: Vector3<f64>) {
+    fn place(&mut self, sphere: usize, at: Vector3<f64>, [velocity, spin]: [Vector3<f64>; 2]) {
         let state = self.world.state_mut();
         state.positions[sphere] = at;
         let body = &mut state.spheres[sphere];
-        (body.velocity, body.spin) = (velocity, Vector3::zeros());
+        (body.velocity, body.spin) = (velocity, spin);
     }
 
     fn set_gravity(&mut self, gravity: Vector3<f64>) {

@@ -60,8 +60,8 @@ pub trait Packing: Debug {
     fn walls(&self) -> &[Wall];
     /// Walls, which a body may move and load between two steps.
     fn walls_mut(&mut self) -> &mut [Wall];
-    /// Puts a sphere that no force moves where its drive has it, with the velocity of the next step.
-    fn place(&mut self, sphere: usize, at: Vector3<f64>, velocity: Vector3<f64>);
+    /// Puts a sphere that no force moves where its drive has it, with the velocity and spin of the next step.
+    fn place(&mut self, sphere: usize, at: Vector3<f64>, motion: [Vector3<f64>; 2]);
     /// The periodic box, with the images of a sheared one at their current places.
     fn space(&self) -> PeriodicBox;
     /// Sets the acceleration of all spheres for the next steps.

@@ -217,8 +217,10 @@ fn keys_that_depend_on_others_are_judged_as_the_reader_does() {
                         ("drive", "speed") => without(&text, "lambda"),
                         ("drive", _) => format!("{}speed = 1\n", without(&text, "lambda")),
                         // The period of a box without a floor is its height, and nothing bears the grains.
-                        ("boundary_z", "shear_rate") => {
-                            format!("{text}height = 0.5\ngravity = 0\n")
+                        ("boundary_z", "shear_rate" | "inertial_number") => {
+                            format!(
+                                "{text}height = 0.5\ngravity = 0\nwall_stress_z = 10\nmethod = \"soft\"\n"
+                            )
                         }
                         // A slot is narrower than its box.
                         (_, "orifice_width") => text.replace("width = 0.1", "width = 1"),

@@ -79,11 +79,18 @@ fn refuse(scene: &GrainsScene) -> Result<(), ExportError> {
              `driven_kinds` of an `initial_state`), or add regions to in.grains: fix wall/gran/tribos takes them",
         ));
     }
-    if scene.shear_rate.is_some() {
+    if scene.sheared().is_some() {
         return Err(beyond(
             "shear_rate",
             "the images of a sheared box are rigid grains of Tribos; for springs take a plate, boundary_z = \"walls\" and \
              `lid_speed_x`",
+        ));
+    }
+    if scene.driven_angular_velocity.constant() != Some(0.0) {
+        return Err(beyond(
+            "driven_angular_velocity",
+            "fix move of LAMMPS turns no group whose axis moves or whose rate changes; leave it out and add `fix move rotate` \
+             to in.grains",
         ));
     }
     const DEFORMS: [[&str; 2]; 3] = [
