@@ -1,0 +1,1 @@
+"""One module an engine; `template` is the start of a new one."""

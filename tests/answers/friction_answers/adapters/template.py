@@ -1,0 +1,40 @@
+"""Start of an adapter for an engine of your own: copy this file, fill in what raises, and run `friction-answers run your_file.py --quick`.
+
+`scene.py` of the package says what a scene holds. Restitution, damping and sleep are off; friction between any two bodies is `scene.mu`, whatever
+the rule by which the engine combines coefficients. Check one thing first: `--items puck`, case 0, must go 0.1699 m.
+"""
+
+from friction_answers.scene import Unsupported  # noqa: F401
+
+NAME, VERSION, LICENCE = "my engine", "0.1", "MIT"
+# The engine's defaults first, then what makes it best; `dt` is the length of a step in s.
+SETTINGS = {"default": {"dt": 1 / 240}}
+
+
+class Simulator:
+    def __init__(self, scene, setting, dt):
+        """Builds the floor z = 0 if `scene.has_floor`, and each of `scene.bodies` at rest.
+
+        Raise `Unsupported("why")` for what the engine has not; `scene.needs` names it: feet, capsule, driven, gravity, force, torsion, anisotropic.
+        """
+        raise NotImplementedError
+
+    def set(self, body, velocity, spin):
+        """Velocity of the centre of mass, m/s, and spin, rad/s, of the body of this number, along the axes of the world; driven bodies keep them."""
+        raise NotImplementedError
+
+    def step(self):
+        """One step of dt."""
+        raise NotImplementedError
+
+    def state(self, body):
+        """Centre of mass (x, y, z), quaternion (w, x, y, z), velocity of the centre of mass, spin, along the axes of the world."""
+        raise NotImplementedError
+
+    def gravity(self, vector):
+        """Gravity from now on, m/s^2 (only scenes that need `gravity`)."""
+        raise NotImplementedError
+
+    def force(self, body, vector):
+        """Force on a centre of mass in the next step, N (only scenes that need `force`)."""
+        raise NotImplementedError

@@ -1,0 +1,64 @@
+"""Installs every engine in an environment of its own, runs it, and makes the page."""
+
+import json
+import os
+import subprocess
+import sys
+import time
+import venv
+from pathlib import Path
+
+from .page import page
+
+PACKAGE = Path(__file__).resolve().parent
+# Adapter -> what pip installs; the versions of the published page.
+ENGINES = {
+    "corners": [],
+    "mujoco": ["mujoco==4.0.0"],
+    "rapier": ["rapier3d==0.36.1"],
+    "physx": ["sapien==3.0.3"],
+    "bullet": ["pybullet==3.2.7"],
+    "dart": ["dartpy==6.20.0"],
+    "ode": ["panda3d==1.10.16"],
+    "drake": ["drake==1.51.1"],
+    "mujoco_warp": ["mujoco-warp==4.0.0", "mujoco==4.0.0"],
+    "newton": ["newton==1.8.0", "mujoco-warp", "mujoco"],
+    "mjx": ["mujoco-mjx==3.17.0", "jax"],
+    "brax": ["brax==0.14.2", "jax"],
+    "genesis": ["genesis-world==1.4.5", "torch"],
+}
+
+
+def everything(out, names, quick, told):
+    """Runs the engines of these names, all without any, and writes the page into a folder; results that are there already are kept."""
+    out.mkdir(parents=True, exist_ok=True)
+    missing = {}
+    for name in names or ENGINES:
+        results = out / f"{name}.json"
+        if results.exists():
+            told(f"{name}: kept {results}")
+            continue
+        began = time.monotonic()
+        try:
+            python = environment(out / "engines" / name, ENGINES[name])
+            words = [python, "-m", PACKAGE.name, "run", name, "--out", results, *(["--quick"] if quick else [])]
+            ran = subprocess.run(words, capture_output=True, text=True, env=os.environ | {"PYTHONPATH": str(PACKAGE.parent)})
+            if ran.returncode:
+                missing[name] = (ran.stderr.strip().splitlines() or ["it fails"])[-1]
+        except (subprocess.CalledProcessError, OSError) as failure:
+            missing[name] = f"not installed: {failure}"
+        told(f"{name}: {missing.get(name, 'done')}, {(time.monotonic() - began) / 60:.1f} min")
+    found = [json.loads((out / f"{name}.json").read_text()) for name in names or ENGINES if (out / f"{name}.json").exists()]
+    if not found:
+        sys.exit("no engine ran")
+    page(found, out, missing)
+
+
+def environment(folder, packages):
+    """The Python of a virtual environment with these packages."""
+    python = folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+    if not python.exists():
+        venv.create(folder, with_pip=True)
+    if packages:
+        subprocess.run([python, "-m", "pip", "install", "--quiet", *packages], check=True, capture_output=True)
+    return python

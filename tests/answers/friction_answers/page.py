@@ -1,0 +1,180 @@
+"""The page: error against cost of each engine and setting, marks, what is worst and whose fault it is."""
+
+import csv
+import io
+import math
+import statistics
+
+from .items import ITEMS
+from .picture import scatter
+from .table import CREEPS, class_of
+
+MARKS = tuple(dict.fromkeys(item.mark for item in ITEMS.values()))
+SIGNS = {"exact": "●", "good": "◕", "fair": "◑", "wrong": "○"}
+CORNERS = "Coulomb at corners"
+# Where a body stops tells less than how far it came.
+UNCOUNTED = ("stop_s", "slide_s")
+
+
+class Row:
+    """An engine in one setting."""
+
+    def __init__(self, results, run):
+        self.version, self.licence, self.is_for_gpus = results["version"], results["licence"], results["gpu"]
+        self.setting, self.options, self.cannot = run["setting"], run["options"], run["cannot"]
+        self.engine = self.options.get("engine", results["engine"])
+        self.cases = run["cases"]
+        costs = [case["cost"] for case in self.cases if case["cost"]]
+        self.cost = statistics.median(costs) if costs else math.nan
+
+    def errors(self, mark):
+        """The worst error of each case of a mark, with its row; infinite where the engine stopped."""
+        found = []
+        for case in (case for case in self.cases if case["mark"] == mark):
+            rows = [row for row in case["rows"] if row["quantity"] not in UNCOUNTED]
+            if mark == "holds":
+                rows = [row for row in rows if row["quantity"] in CREEPS]
+            if not rows:
+                found.append((math.inf, case, None))
+                continue
+            worst = max(rows, key=lambda row: math.inf if row["error"] is None else row["error"])
+            found.append((math.inf if worst["error"] is None else worst["error"], case, worst))
+        return found
+
+    def median(self, mark):
+        wrongs = [wrong for wrong, _, _ in self.errors(mark)]
+        return statistics.median(wrongs) if wrongs else None
+
+    def overall(self):
+        """Median relative error of all cases that have one."""
+        wrongs = [wrong for mark in MARKS if mark != "holds" for wrong, _, _ in self.errors(mark)]
+        return statistics.median(wrongs) if wrongs else math.nan
+
+    def worst(self, mark):
+        return max(self.errors(mark), key=lambda found: found[0], default=None)
+
+
+def told(mark, wrong):
+    if wrong is None:
+        return "–"
+    if math.isinf(wrong):
+        return "stops"
+    if mark == "holds":
+        return next(f"{wrong * factor:.2g} {unit}" for limit, factor, unit in ((1e-3, 1e6, "µm/s"), (1, 1e3, "mm/s"), (math.inf, 1, "m/s")) if wrong < limit)
+    return f"{100 * wrong:.2g} %"
+
+
+def cell(row, mark):
+    wrong = row.median(mark)
+    if wrong is None:
+        return "–"
+    return f"{SIGNS[class_of('creep_m_s' if mark == 'holds' else 'along_m', wrong)]} {told(mark, wrong)}"
+
+
+def fault(corners, case, row):
+    """Whether corners under Coulomb's law err as much."""
+    for own in corners.cases if corners else ():
+        if (own["item"], own["case"]) == (case["item"], case["case"]):
+            for one in own["rows"]:
+                if one["quantity"] == row["quantity"] and one["error"] and row["error"]:
+                    share = one["error"] / row["error"]
+                    return f"; corners alone {100 * one['error']:.2g} %" + (": the points" if 0.7 < share < 1.4 else "")
+    return ""
+
+
+def footnote(row, mark, corners):
+    wrong, case, worst = row.worst(mark)
+    where = f"{case['item']} {case['case']}"
+    if worst is None:
+        return f"{mark}: {where} {row.cannot.get(where, 'stops')}"
+    got = f"{worst['quantity']} {worst['value']:.4g} for {worst['exact']:.4g}"
+    return f"{mark}: {where}, {got} ({told(mark, wrong)}{fault(corners, case, worst)})"
+
+
+def best_of(rows):
+    """Each engine's setting of the least overall error."""
+    engines = {}
+    for row in rows:
+        if row.engine not in engines or row.overall() < engines[row.engine].overall():
+            engines[row.engine] = row
+    return sorted(engines.values(), key=lambda row: row.overall())
+
+
+def head(columns):
+    return [f"| {' | '.join(columns)} |", "|" + "---|" * len(columns)]
+
+
+def marks_table(rows):
+    lines = head(["engine", "setting", *MARKS, "error", "cost"])
+    for row in rows:
+        cells = [cell(row, mark) for mark in MARKS]
+        lines.append(f"| {row.engine} | {row.setting} | {' | '.join(cells)} | {100 * row.overall():.2g} % | {row.cost:.2g} |")
+    return lines
+
+
+def table(rows):
+    """All rows of all cases, as CSV."""
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(["engine", "version", "setting", "mark", "item", "case", "quantity", "value", "exact", "error", "class", "cost"])
+    for row in rows:
+        for case in row.cases:
+            for one in case["rows"]:
+                numbers = [f"{one['value']:.6g}", f"{one['exact']:.6g}", "" if one["error"] is None else f"{one['error']:.3g}"]
+                cost = "" if case["cost"] is None else f"{case['cost']:.3g}"
+                writer.writerow([row.engine, row.version, row.setting, case["mark"], case["item"], case["case"], one["quantity"], *numbers, one["class"], cost])
+    return out.getvalue()
+
+
+def page(results, out, missing=None):
+    """Writes engines.md, engines.svg and engines.csv."""
+    rows = [Row(one, run) for one in results for run in one["runs"]]
+    corners = next((row for row in rows if row.engine == CORNERS), None)
+    engines = [row for row in rows if row.engine != CORNERS]
+    out.mkdir(parents=True, exist_ok=True)
+    (out / "engines.csv").write_text(table(rows))
+    (out / "engines.svg").write_text(scatter(engines))
+    (out / "engines.md").write_text("\n".join(text(results, engines, corners, missing or {})) + "\n")
+
+
+def text(results, rows, corners, missing):
+    best = best_of(rows)
+    yield "# Simulators against exact answers\n"
+    yield "![Error against cost of each engine and setting, both on logarithmic scales](engines.svg)\n"
+    yield (
+        "*Error*: median over all cases that move of the worst quantity of each. *Cost*: processor time over simulated time, median over the cases, one scene "
+        "at a time, the language's call included. ● within 0.1 % (holds: 1 µm/s), ◕ 1 % (0.1 mm/s), ◑ 10 % (1 cm/s), ○ beyond; – not to be had.\n"
+    )
+    first = {}
+    for row in rows:
+        first.setdefault(row.engine, row)
+    for title, shown in (("at its best", best), ("as it comes", sorted(first.values(), key=lambda row: row.overall()))):
+        for kind, of_gpus in (("Each engine", False), ("Engines for GPUs, here on a processor,", True)):
+            some = [row for row in shown if row.is_for_gpus == of_gpus]
+            if some:
+                yield f"## {kind} {title}\n"
+                yield from marks_table(some)
+                yield ""
+    yield "## What to set\n"
+    for row in best:
+        options = ", ".join(f"{key} = {value}" for key, value in row.options.items() if key != "engine")
+        yield f"- **{row.engine}** {row.version} ({row.licence}): {options}"
+    yield "\n## Where each is worst\n"
+    yield (
+        "*Corners alone* is Coulomb's law at the corners of the face in steps of 0.2 ms: what an engine of points finds with a perfect solver. Where it errs as "
+        "much, the points are at fault, no step or solver.\n"
+    )
+    for row in best:
+        notes = [footnote(row, mark, corners) for mark in MARKS if row.errors(mark)]
+        yield f"- **{row.engine}**, {row.setting}: {'. '.join(notes)}."
+        reasons = {}
+        for item, reason in row.cannot.items():
+            reasons.setdefault(reason, []).append(item)
+        for reason, items in reasons.items():
+            yield f"  - {', '.join(items)}: {reason}"
+    if missing:
+        yield "\n## Not run\n"
+        yield from (f"- {name}: {reason}" for name, reason in missing.items())
+    yield "\n## Machine\n"
+    for machine in dict.fromkeys(f"{one['machine']['processor']}, {one['machine']['cores']} cores, Python {one['machine']['python']}" for one in results):
+        yield f"- {machine}"

@@ -1,0 +1,74 @@
+"""A picture of points on two logarithmic axes, as SVG."""
+
+import math
+from html import escape
+
+WIDTH, HEIGHT, LEFT, BOTTOM, TOP, RIGHT = 900, 560, 70, 60, 20, 20
+COLOURS = ("#4477aa", "#ee6677", "#228833", "#ccbb44", "#66ccee", "#aa3377", "#bbbbbb", "#222255", "#997700", "#994455")
+MARKS = ("circle", "square", "diamond")
+
+
+def ends(values):
+    return math.floor(math.log10(min(values))), math.ceil(math.log10(max(values)))
+
+
+def scatter(rows):
+    """Error over cost, a point a setting, the settings of an engine joined from quick to slow."""
+    points = [(row, row.cost, row.overall()) for row in rows]
+    points = [(row, x, y) for row, x, y in points if 0 < x < math.inf and 0 < y < math.inf]
+    if not points:
+        return '<svg xmlns="http://www.w3.org/2000/svg"/>\n'
+    x0, x1 = ends([x for _, x, _ in points])
+    y0, y1 = ends([100 * y for _, _, y in points])
+
+    def px(x):
+        return LEFT + (math.log10(x) - x0) / (x1 - x0) * (WIDTH - LEFT - RIGHT)
+
+    def py(y):
+        return HEIGHT - BOTTOM - (math.log10(100 * y) - y0) / (y1 - y0) * (HEIGHT - BOTTOM - TOP)
+
+    out = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="13">',
+        f'<rect width="{WIDTH}" height="{HEIGHT}" fill="#ffffff"/>',
+    ]
+    for power in range(x0, x1 + 1):
+        x = px(10.0**power)
+        out.append(
+            f'<path d="M{x:.1f} {TOP}V{HEIGHT - BOTTOM}" stroke="#dddddd"/><text x="{x:.1f}" y="{HEIGHT - BOTTOM + 18}" text-anchor="middle">{10.0**power:g}</text>'
+        )
+    for power in range(y0, y1 + 1):
+        y = py(10.0 ** (power - 2))
+        out.append(f'<path d="M{LEFT} {y:.1f}H{WIDTH - RIGHT}" stroke="#dddddd"/><text x="{LEFT - 6}" y="{y + 4:.1f}" text-anchor="end">{10.0**power:g} %</text>')
+    out.append(f'<text x="{(LEFT + WIDTH) / 2}" y="{HEIGHT - 14}" text-anchor="middle">processor time over simulated time, one scene</text>')
+    out.append(f'<text transform="translate(16 {HEIGHT / 2}) rotate(-90)" text-anchor="middle">median error</text>')
+    taken = []
+    for i, engine in enumerate(dict.fromkeys(row.engine for row, _, _ in points)):
+        colour = COLOURS[i % len(COLOURS)]
+        own = sorted((x, y, row) for row, x, y in points if row.engine == engine)
+        path = " ".join(f"{px(x):.1f},{py(y):.1f}" for x, y, _ in own)
+        out.append(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-opacity="0.5"/>')
+        for x, y, row in own:
+            out.append(
+                f'<g fill="{colour}"><title>{escape(f"{engine}, {row.setting}: {100 * y:.2g} %, cost {x:.2g}")}</title>{mark(px(x), py(y), i // len(COLOURS))}</g>'
+            )
+        x, y, _ = min(own, key=lambda point: point[1])
+        out.append(name(engine, px(x), py(y), colour, taken))
+    return "\n".join([*out, "</svg>"]) + "\n"
+
+
+def mark(x, y, kind):
+    if MARKS[kind % 3] == "circle":
+        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="5"/>'
+    turn = f' transform="rotate(45 {x:.1f} {y:.1f})"' if MARKS[kind % 3] == "diamond" else ""
+    return f'<rect x="{x - 5:.1f}" y="{y - 5:.1f}" width="10" height="10"{turn}/>'
+
+
+def name(engine, x, y, colour, taken):
+    """The engine's name beside its best point, moved down until it covers no other."""
+    width = 7.5 * len(engine)
+    left = x + 9 if x + 9 + width < WIDTH - RIGHT else x - 9 - width
+    y += 4
+    while any(abs(y - b) < 14 and left < a + w and a < left + width for a, b, w in taken):
+        y += 14
+    taken.append((left, y, width))
+    return f'<text x="{left:.1f}" y="{y:.1f}" fill="{colour}">{escape(engine)}</text>'

@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+"""The answers against brute force, the package's commands, its adapters as far as they need no engine.
+
+python3 tests/answers/test_answers.py     # needs Python alone; LONG=1 draws ten cases an item
+"""
+
+import contextlib
+import csv
+import io
+import json
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+
+from brute import BRUTE  # noqa: E402
+from friction_answers import __main__ as command  # noqa: E402
+from friction_answers.answers import ANSWERS, DOUBLE  # noqa: E402
+from friction_answers.cases import drawn, standard  # noqa: E402
+from friction_answers.items import ITEMS  # noqa: E402
+from friction_answers.table import answers, error  # noqa: E402
+
+SEEDS = range(10 if os.environ.get("LONG") else 1)
+# Of the grids and steps of brute force.
+TOLERANCE = 4e-3
+
+
+def said(*words):
+    """What the command prints."""
+    out = io.StringIO()
+    with mock.patch.object(sys, "argv", ["friction-answers", *words]), contextlib.redirect_stdout(out), contextlib.redirect_stderr(io.StringIO()):
+        command.main()
+    return out.getvalue()
+
+
+class Answers(unittest.TestCase):
+    def test_random_cases_agree_with_brute_force(self):
+        worst = {}
+        for item in ANSWERS:
+            for seed in SEEDS:
+                case = drawn(item, seed)
+                exact = {key: float(value) for key, value in ANSWERS[item](case, DOUBLE).items()}
+                found = BRUTE[item](case)
+                for quantity in exact:
+                    off = error(exact, quantity, found[quantity])
+                    worst[item] = max(worst.get(item, 0.0), off)
+                    with self.subTest(item=item, seed=seed, quantity=quantity):
+                        self.assertLess(off, TOLERANCE)
+        if os.environ.get("LONG"):
+            print(*(f"{item}: {off:.1e}" for item, off in worst.items()), sep="\n")
+
+    def test_the_table_holds_what_doubles_compute(self):
+        known = answers()
+        for item in ANSWERS:
+            for name, case in standard()[item].items():
+                for quantity, value in ANSWERS[item](case, DOUBLE).items():
+                    if quantity in known[item, name]:
+                        with self.subTest(item=item, case=name, quantity=quantity):
+                            self.assertLess(error(known[item, name], quantity, float(value)), 1e-9)
+
+    def test_second_routes_agree_to_eleven_digits(self):
+        with open(HERE / "v2" / "answers.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertGreater(len(rows), 60)
+        for row in rows:
+            with self.subTest(**row):
+                self.assertLess(float(row["second"]), 2e-11)
+
+    def test_every_case_has_its_answers(self):
+        known = answers()
+        for item in ITEMS:
+            for name in standard()[item]:
+                self.assertIn((item, name), known)
+
+
+class Commands(unittest.TestCase):
+    def test_an_engine_of_corners_turns_too_little(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "corners.json"
+            said("run", "corners", "--items", "box", "wheel", "ball", "--quick", "--out", str(file))
+            results = json.loads(file.read_text())
+            page = Path(folder) / "page"
+            said("page", str(file), "--out", str(page))
+            self.assertEqual(sorted(path.name for path in page.iterdir()), ["engines.csv", "engines.md", "engines.svg"])
+        (run,) = results["runs"]
+        found = {(case["item"], row["quantity"]): row for case in run["cases"] for row in case["rows"]}
+        # Two points at the ends have twice the torque of the line between them.
+        wheel = found["wheel", "turn_rad"]
+        self.assertAlmostEqual(wheel["value"] / wheel["exact"], 0.5, delta=1e-3)
+        self.assertEqual(found["box", "turn_rad"]["class"], "wrong")
+        self.assertIn("ball", run["cannot"])
+
+    def test_tables_of_both_versions_are_compared(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "results.csv"
+            file.write_text("scene,spin_rad_s,quantity,value\\npuck,50,turn_rad,11.2\\n".replace("\\n", "\n"))
+            self.assertIn("58.6 %", said("compare", str(file)))
+            file.write_text("item,case,quantity,value\nwheel,10,turn_rad,0.6442\n")
+            self.assertIn("50 %", said("compare", str(file)))
+            file.write_text("item,case,quantity,value\nsled,10,turn_rad,0.6442\n")
+            with self.assertRaises(SystemExit):
+                said("compare", str(file))
+
+    def test_random_cases_are_those_of_the_seed(self):
+        once, again, other = (said("variants", "--seed", seed, "--items", "box") for seed in ("7", "7", "8"))
+        self.assertEqual(once, again)
+        self.assertNotEqual(once, other)
+
+    def test_the_list_has_every_item(self):
+        text = said("list")
+        for item in ITEMS:
+            self.assertIn(item, text)
+
+
+class Adapters(unittest.TestCase):
+    def test_each_is_small(self):
+        for path in (HERE / "friction_answers" / "adapters").glob("*.py"):
+            with self.subTest(path=path.name):
+                lines = [line for line in path.read_text().splitlines() if line.strip()]
+                self.assertLessEqual(len(lines), 80)
+                self.assertLessEqual(max(map(len, lines), default=0), 160)
+
+
+if __name__ == "__main__":
+    unittest.main()
