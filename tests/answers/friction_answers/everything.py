@@ -15,6 +15,7 @@ PACKAGE = Path(__file__).resolve().parent
 ENGINES = {
     "corners": [],
     "mujoco": ["mujoco==4.0.0"],
+    "mujoco_tribos": ["mujoco==4.0.0"],
     "rapier": ["rapier3d==0.36.1"],
     "physx": ["sapien==3.0.3"],
     "bullet": ["pybullet==3.2.7"],

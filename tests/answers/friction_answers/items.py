@@ -54,7 +54,7 @@ def thrown_shape(case):
     if "corner_1_x" in case:
         return Shape("box", (case["corner_1_x"], case["corner_1_y"], FLAT)), FLAT
     half = case["height"] or FLAT
-    return Shape("cylinder", (case["radius"], half)), half
+    return Shape("cylinder", (case["radius"], half), case.get("is_ring", False)), half
 
 
 def gyration_sq(case):

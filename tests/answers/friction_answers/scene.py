@@ -22,6 +22,7 @@ class Shape:
 
     kind: str
     sizes: tuple
+    is_rim: bool = False  # a cylinder that stands on the thin rim of its face, for engines that have faces
 
 
 @dataclass(frozen=True)

@@ -24,6 +24,11 @@ def geoms(shape, friction):
 
 class Simulator:
     def __init__(self, scene, setting, dt):
+        self.model = mujoco.MjModel.from_xml_string(self.text(scene, setting, dt))
+        self.data = mujoco.MjData(self.model)
+        self.com = [body.com for body in scene.bodies]
+
+    def text(self, scene, setting, dt):
         condim = 4 if scene.torsion else 3
         friction = f'friction="{scene.mu} {scene.torsion} 0" condim="{condim}" mass="0" '
         if "solref" in setting:
@@ -43,11 +48,7 @@ class Simulator:
             pair = f'<contact><pair geom1="floor" geom2="box" condim="3" friction="{scene.mu_across} {scene.mu} 0 0 0"/></contact>'
         option = " ".join(f'{key}="{setting[key]}"' for key in PLAIN if key in setting)
         gravity = " ".join(map(str, scene.gravity))
-        self.model = mujoco.MjModel.from_xml_string(
-            f'<mujoco><option timestep="{dt}" gravity="{gravity}" {option}/><worldbody>{floor}{"".join(parts)}</worldbody>{pair}</mujoco>'
-        )
-        self.data = mujoco.MjData(self.model)
-        self.com = [body.com for body in scene.bodies]
+        return f'<mujoco><option timestep="{dt}" gravity="{gravity}" {option}/><worldbody>{floor}{"".join(parts)}</worldbody>{pair}</mujoco>'
 
     def set(self, body, velocity, spin):
         q = self.data.qpos[7 * body + 3 : 7 * body + 7]
