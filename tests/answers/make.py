@@ -2,7 +2,7 @@
 """Makes v2/answers.csv: the answers of version 2 with 30 digits, each beside a second route.
 
     python3 make.py [ITEM ...]     # prints the rows
-    python3 make.py --write        # all of them, into v2/answers.csv
+    python3 make.py --write        # all of them, into v2/answers.csv, and v2/problems.json
 
 Needs mpmath and scipy. The second route shares no formula with the first where there is a choice: other integrators (scipy's), quadrature in polar
 coordinates for faces, event times by root finding on integrated speeds, motions integrated where the first is a closed form. The column
@@ -11,6 +11,7 @@ coordinates for faces, event times by root finding on integrated speeds, motions
 
 import argparse
 import csv
+import json
 import math
 import sys
 from pathlib import Path
@@ -325,6 +326,8 @@ def main():
             made.append(row)
     if args.write:
         (HERE / "v2").mkdir(exist_ok=True)
+        problems = {item: standard()[item] for item in ITEMS if item in SECOND}
+        (HERE / "v2" / "problems.json").write_text(json.dumps(problems, indent=1) + "\n")
         with open(HERE / "v2" / "answers.csv", "w", newline="") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow(["item", "case", "quantity", "unit", "value", "second"])

@@ -71,6 +71,11 @@ class Answers(unittest.TestCase):
             with self.subTest(**row):
                 self.assertLess(float(row["second"]), 2e-11)
 
+    def test_the_problems_are_those_of_the_file(self):
+        problems = json.loads((HERE / "v2" / "problems.json").read_text())
+        for item, cases in problems.items():
+            self.assertEqual(cases, standard()[item], item)
+
     def test_every_case_has_its_answers(self):
         known = answers()
         for item in ITEMS:

@@ -112,11 +112,15 @@ def run(name, settings=(), items=(), seed=None, quick=False, told=lambda text: N
                     break
                 except Exception as failure:  # An engine that stops is a result.
                     rows, cost = [], None
-                    runs["cannot"][f"{item.name} {case_name}"] = f"stops: {str(failure)[:200]}"
+                    runs["cannot"][f"{item.name} {case_name}"] = f"fails: {first_sentence(failure)}"
                 runs["cases"].append({"item": item.name, "mark": item.mark, "case": case_name, "rows": rows, "cost": cost})
                 told(f"{engine.NAME}, {setting}: {item.name} {case_name}, {time.perf_counter() - began:.1f} s")
         results["runs"].append(runs)
     return results
+
+
+def first_sentence(failure):
+    return str(failure).strip().split("\n")[0].split(". ")[0][:120] or type(failure).__name__
 
 
 def processor():

@@ -1,6 +1,7 @@
 //! The reference answers for other programs, in `answers/`, are what the kernel computes, to 12 digits.
 
 mod feet;
+mod later;
 mod march;
 mod pinned;
 mod sheet;
