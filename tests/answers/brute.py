@@ -131,6 +131,12 @@ def skate(case, dt=2e-5):
     return {"along_m": x, "left_m": y}
 
 
+def oblique(case):
+    vx, vy = case["speed"] * math.cos(case["direction"]), case["speed"] * math.sin(case["direction"])
+    x, y = points(case, lambda t: 0.0, start=((0.0, 0.0), (vx, vy)), seconds=1.1 * case["speed"] / (case["mu"] * case["g"]))
+    return {"along_m": x, "left_m": y}
+
+
 def rolls(case, dt=2e-5):
     k, r, v, w, x, t, end = case["mu"] * case["g"], case["radius"], case["speed"], case["spin"], 0.0, 0.0, None
     while end is None or t < end:
@@ -195,5 +201,5 @@ BRUTE = {
     **dict.fromkeys(("vibration_holds", "vibration_slips"), vibration),
     **dict.fromkeys(("turntable_holds", "turntable_slips"), turntable),
     **dict.fromkeys(("tower", "capsule"), nothing),
-    "wheel": wheel, "torsion": torsion, "belts": belts, "stack": stack, "skate": skate, "collide": collide,
+    "wheel": wheel, "torsion": torsion, "belts": belts, "stack": stack, "skate": skate, "oblique": oblique, "collide": collide,
 }  # fmt: skip

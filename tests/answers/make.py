@@ -179,6 +179,18 @@ def second_vibration(case):
     return {"along_m": place}
 
 
+def second_oblique(case):
+    """Both components of the velocity, integrated until the speed is 1e-13 of the first."""
+    k, v, direction = case["mu"] * case["g"], case["speed"], case["direction"]
+
+    def slopes(_, s):
+        speed = math.hypot(s[0], s[1])
+        return [-s[0], -s[1], s[0] * speed / k, s[1] * speed / k]
+
+    y = solve_ivp(slopes, (0, 30), [v * math.cos(direction), v * math.sin(direction), 0, 0], **EXACT).y[:, -1]
+    return {"along_m": y[2], "left_m": y[3]}
+
+
 def second_skate(case):
     """Over the direction of the motion, in place of its speed."""
     m1, m2, g, direction = case["mu"], case["mu_across"], case["g"], case["direction"]
@@ -289,7 +301,7 @@ def none(quantity):
 
 SECOND = {
     "eccentric": second_thrown, "belts": second_belts, "turntable_holds": second_turntable, "turntable_slips": second_turntable,
-    "vibration_holds": second_vibration, "vibration_slips": second_vibration, "skate": second_skate, "top": second_top,
+    "vibration_holds": second_vibration, "vibration_slips": second_vibration, "oblique": second_oblique, "skate": second_skate, "top": second_top,
     "wheel": second_wheel, "torsion": second_torsion, "back_spin": second_rolls, "incline_holds": second_slope,
     "incline_slides": second_slope, "stack": second_stack, "collide": second_collide,
     "tower": lambda case: {"sink_m": 0.0, "creep_m_s": 0.0},

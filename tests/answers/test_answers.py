@@ -100,6 +100,16 @@ class Commands(unittest.TestCase):
         self.assertEqual(found["box", "turn_rad"]["class"], "wrong")
         self.assertIn("ball", run["cannot"])
 
+    def test_an_adapter_of_ones_own_runs_from_its_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            own = Path(folder) / "my_engine.py"
+            corners = (HERE / "friction_answers" / "adapters" / "corners.py").read_text()
+            own.write_text(corners.replace("from ..scene", "from friction_answers.scene"))
+            self.assertIn("corners alone 50 %", said("run", str(own), "--items", "wheel"))
+            own.write_text((HERE / "friction_answers" / "adapters" / "template.py").read_text())
+            with self.assertRaisesRegex(SystemExit, "template|my_engine"):
+                said("run", str(own), "--quick")
+
     def test_tables_of_both_versions_are_compared(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "results.csv"

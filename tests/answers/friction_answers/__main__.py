@@ -10,10 +10,11 @@ from pathlib import Path
 from .answers import ANSWERS, DOUBLE
 from .cases import drawn
 from .items import ITEMS
-from .run import run
-from .table import answers, class_of, error
+from .run import Refused, run
+from .table import CLASSES, answers, class_of, error
 from .units import UNITS
 
+CLASS_NAMES = [*(name for name, _, _ in CLASSES), "wrong"]
 EPILOG = """examples:
   friction-answers run mujoco --quick
   friction-answers run mujoco --setting elliptic --items puck box --out mujoco.json
@@ -31,19 +32,24 @@ def listed(args):
     for mark in marks:
         print(f"{mark}:")
         for item in (item for item in ITEMS.values() if item.mark == mark):
-            cases = [case for name, case in known if name == item.name]
-            print(f"  {item.name:16} {item.title}; cases {', '.join(cases)}")
+            cases = {case: exact for (name, case), exact in known.items() if name == item.name}
+            print(f"  {item.name:16} {item.title}; cases {', '.join(cases)}; {', '.join(next(iter(cases.values())))}")
 
 
 def played(args):
     def told(text):
         print(text, file=sys.stderr, flush=True)
 
-    results = run(args.engine, args.setting, args.items, args.seed, args.quick, told)
+    try:
+        results = run(args.engine, args.setting, args.items, args.seed, "last" if args.quick else args.case, told)
+    except Refused as reason:
+        sys.exit(f"friction-answers: {reason}")
     summary(results)
     if args.out:
         written(args.out, json.dumps(results, indent=1, default=str))
         print(f"written to {args.out}")
+    if not any(case["rows"] for one in results["runs"] for case in one["cases"]):
+        sys.exit("friction-answers: no case gave a result")
 
 
 def summary(results):
@@ -52,10 +58,19 @@ def summary(results):
         print(f"\n{one['setting']}: {one['options']}")
         for case in one["cases"]:
             for row in case["rows"]:
-                wrong = "stops" if row["error"] is None else told_error(row["quantity"], row["error"])
-                print(f"  {case['item']:16} {case['case']:>8} {row['quantity']:18} {row['value']:<12.6g} exact {row['exact']:<12.6g} {wrong:>12}  {row['class']}")
+                print(told_row(case["item"], case["case"], row))
         for item, reason in one["cannot"].items():
             print(f"  {item:16} cannot: {reason}")
+        classes = [row["class"] for case in one["cases"] for row in case["rows"]]
+        print("  " + ", ".join(f"{classes.count(name)} {name}" for name in CLASS_NAMES))
+
+
+def told_row(item, case, row):
+    never = "never stops" if row["quantity"] == "stop_s" else "not finite"
+    wrong = never if row["error"] is None else told_error(row["quantity"], row["error"])
+    points = f"  corners alone {told_error(row['quantity'], row['corners'])}" if "corners" in row else ""
+    numbers = f"{row['value']:<12.6g} exact {row['exact']:<12.6g}"
+    return f"  {item:16} {case:>8} {row['quantity']:18} {numbers} {wrong:>12}  {row['class']}{points}"
 
 
 def told_error(quantity, wrong):
@@ -65,20 +80,37 @@ def told_error(quantity, wrong):
 
 def compared(args):
     """CSV with item (or scene), case (or spin_rad_s), quantity, value."""
-    known = answers()
-    found = 0
-    with open(args.results, newline="") as file:
-        for row in csv.DictReader(file):
-            key = row.get("item") or row.get("scene"), row.get("case") or f"{float(row['spin_rad_s']):g}"
-            if key not in known or row["quantity"] not in known[key]:
-                print(f"no answer for {' '.join(key)} {row['quantity']}; `friction-answers list` has the cases", file=sys.stderr)
+    known, found = answers(), 0
+    try:
+        file = open(args.results, newline="")
+    except OSError as reason:
+        sys.exit(f"friction-answers: {reason}")
+    with file:
+        for line, row in enumerate(csv.DictReader(file), 2):
+            try:
+                item, case = row.get("item") or row["scene"], row.get("case") or row["spin_rad_s"]
+                quantity, value = row["quantity"], float(row["value"])
+            except (KeyError, TypeError, ValueError) as reason:
+                sys.exit(f"{args.results}:{line}: {reason}; a line has item, case, quantity and a number as value")
+            key = next((key for key in known if key[0] == item and alike(key[1], case)), None)
+            if key is None or quantity not in known[key]:
+                what = f"no quantity {quantity} of {item} {case}" if key else f"no case {case} of {item}" if item in ITEMS else f"no item {item}"
+                print(f"{args.results}:{line}: {what}; `friction-answers list` has all", file=sys.stderr)
                 continue
             found += 1
-            exact, value = known[key], float(row["value"])
-            wrong = error(exact, row["quantity"], value)
-            print(f"{key[0]:16} {key[1]:>8} {row['quantity']:18} {value:<12.6g} exact {exact[row['quantity']]:<12.6g} {told_error(row['quantity'], wrong)}")
+            wrong = error(known[key], quantity, value)
+            told = {"error": wrong if wrong < float("inf") else None, "class": class_of(quantity, wrong)}
+            print(told_row(*key, {"quantity": quantity, "value": value, "exact": known[key][quantity]} | told))
     if not found:
         sys.exit("nothing to compare")
+
+
+def alike(case, given):
+    """Whether two names of a case are the same number, or the same word."""
+    try:
+        return float(case) == float(given)
+    except ValueError:
+        return case == given
 
 
 def varied(args):
@@ -116,6 +148,7 @@ def written(path, text):
 
 def main():
     parser = argparse.ArgumentParser(prog="friction-answers", description=__doc__, epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--version", action="version", version="friction-answers 2.0.0")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     commands.add_parser("list", help="the problems and their cases").set_defaults(do=listed)
     one = commands.add_parser("run", help="run an engine through the problems")
@@ -123,7 +156,8 @@ def main():
     one.add_argument("--setting", action="append", default=[], help="one of the adapter's settings; may be repeated; all without it")
     one.add_argument("--items", nargs="+", default=[], choices=list(ITEMS), metavar="ITEM")
     one.add_argument("--seed", type=int, help="random cases of this seed in place of the standard ones")
-    one.add_argument("--quick", action="store_true", help="one case of each item")
+    one.add_argument("--case", help="this case alone")
+    one.add_argument("--quick", action="store_true", help="the last case of each item")
     one.add_argument("--out", help="results as JSON")
     one.set_defaults(do=played)
     one = commands.add_parser("compare", help="errors of a table that your simulator wrote")

@@ -173,6 +173,13 @@ def skate(case, way):
     return {"along_m": along + (v1 * u) ** 2 / (2 * m1 * g), "left_m": left}
 
 
+def oblique(case, _):
+    """Friction knows no direction."""
+    mu, g, v, direction = number(case, "mu", "g", "speed", "direction")
+    way = v * v / (2 * mu * g)
+    return {"along_m": way * mp.cos(direction), "left_m": way * mp.sin(direction)}
+
+
 def power(x, k):
     return x**k
 
@@ -308,6 +315,7 @@ ANSWERS = {
     "tower": tower,
     "capsule": held,
     "stack": stack,
+    "oblique": oblique,
     "skate": skate,
     "collide": collide,
     "belts": belts,

@@ -58,6 +58,7 @@ def standard():
         "tower": {f"{ratio:g}": dict(mu=0.5, g=G, ratio=ratio, angle=angle(0.5, 0.2), seconds=1.0) for ratio in (1e2, 1e4, 1e6)},
         "eccentric": {f"{spin:g}": dict(box, spin=spin) for spin in (12.5, 25.0, 50.0)},
         "stack": {f"{speed:g}": dict(mu=0.3, g=G, speed=speed) for speed in (0.5, 0.8)},
+        "oblique": {f"{degrees:g}": dict(mu=0.3, g=G, speed=1.0, direction=math.radians(degrees)) for degrees in (22.5, 45.0)},
         "skate": {f"{degrees:g}": dict(mu=0.1, mu_across=0.4, g=G, speed=1.0, direction=math.radians(degrees)) for degrees in (30.0, 60.0)},
         "collide": {f"{spin:g}": dict(hit, spin=spin) for spin in (-20.0, 5.0, 40.0)},
         "top": {"20": dict(down, radius=0.01, gyration_sq=0.0008, spin=20.0)},

@@ -6,7 +6,7 @@ quantities of `answers`.
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from .scene import FOOT, Body, Scene, Shape
 
@@ -320,6 +320,10 @@ def skate(case):
     return Scene((body,), case["mu"], (0.0, 0.0, -case["g"]), mu_across=case["mu_across"], needs=frozenset({"anisotropic"}))
 
 
+def oblique(case):
+    return replace(skate({**case, "mu_across": None}), needs=frozenset())
+
+
 def glide(sim, dt, case, seconds):
     settle(sim, dt)
     direction = case["direction"]
@@ -373,6 +377,7 @@ ITEMS = {
         *(Item(name, "travels", f"{name} that slides and spins", thrown, throw) for name in THROWN),
         Item("eccentric", "travels", "box with its mass off its middle", thrown, throw),
         Item("stack", "travels", "block launched from under another", stack, pull_away),
+        Item("oblique", "travels", "box launched across its sides", oblique, glide),
         Item("skate", "travels", "box with two coefficients", skate, glide),
         Item("collide", "travels", "two balls that collide with spin", collide, meet),
         Item("spin_down", "turns", "disk that spins down", thrown, spin_down),

@@ -74,24 +74,20 @@ def cell(row, mark):
     return f"{SIGNS[class_of('creep_m_s' if mark == 'holds' else 'along_m', wrong)]} {told(mark, wrong)}"
 
 
-def fault(corners, case, row):
+def fault(row):
     """Whether corners under Coulomb's law err as much."""
-    for own in corners.cases if corners else ():
-        if (own["item"], own["case"]) == (case["item"], case["case"]):
-            for one in own["rows"]:
-                if one["quantity"] == row["quantity"] and one["error"] and row["error"]:
-                    share = one["error"] / row["error"]
-                    return f"; corners alone {100 * one['error']:.2g} %" + (": the points" if 0.7 < share < 1.4 else "")
-    return ""
+    if not row.get("corners") or not row["error"]:
+        return ""
+    return f"; corners alone {100 * row['corners']:.2g} %" + (": the points" if 0.7 < row["corners"] / row["error"] < 1.4 else "")
 
 
-def footnote(row, mark, corners):
+def footnote(row, mark):
     wrong, case, worst = row.worst(mark)
     where = f"{case['item']} {case['case']}"
     if worst is None:
         return f"{mark}: {where} {row.cannot.get(where, 'falls')}"
     got = f"{worst['quantity']} {worst['value']:.4g} for {worst['exact']:.4g}"
-    return f"{mark}: {where}, {got} ({told(mark, wrong)}{fault(corners, case, worst)})"
+    return f"{mark}: {where}, {got} ({told(mark, wrong)}{fault(worst)})"
 
 
 def best_of(rows):
@@ -132,15 +128,14 @@ def table(rows):
 def page(results, out, missing=None):
     """Writes engines.md, engines.svg and engines.csv."""
     rows = [Row(one, run) for one in results for run in one["runs"]]
-    corners = next((row for row in rows if row.engine == CORNERS), None)
     engines = [row for row in rows if row.engine != CORNERS]
     out.mkdir(parents=True, exist_ok=True)
     (out / "engines.csv").write_text(table(rows))
     (out / "engines.svg").write_text(scatter(engines))
-    (out / "engines.md").write_text("\n".join(text(results, engines, corners, missing or {})) + "\n")
+    (out / "engines.md").write_text("\n".join(text(results, engines, missing or {})) + "\n")
 
 
-def text(results, rows, corners, missing):
+def text(results, rows, missing):
     best = best_of(rows)
     yield "# Simulators against exact answers\n"
     yield "![Error against cost of each engine and setting, both on logarithmic scales](engines.svg)\n"
@@ -168,7 +163,7 @@ def text(results, rows, corners, missing):
         "much, the points are at fault, no step or solver.\n"
     )
     for row in best:
-        notes = [footnote(row, mark, corners) for mark in MARKS if row.errors(mark)]
+        notes = [footnote(row, mark) for mark in MARKS if row.errors(mark)]
         yield f"- **{row.engine}**, {row.setting}: {'. '.join(notes)}."
         reasons = {}
         for item, reason in row.cannot.items():

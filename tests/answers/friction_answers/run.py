@@ -1,30 +1,43 @@
 """Runs an engine through the problems."""
 
 import importlib
+import importlib.util
 import math
 import os
 import platform
 import sys
 import time
+import traceback
+from pathlib import Path
 
 from .answers import ANSWERS, DOUBLE
 from .cases import drawn, standard
 from .items import ITEMS
 from .scene import Unsupported
-from .table import answers, class_of, error
-
-COST = ("puck", "25")
+from .table import answers, class_of, corners, error
 
 
 def adapter(name):
     """The module of an engine: one of the package's, or a path to one's own."""
     if name.endswith(".py"):
+        if not Path(name).is_file():
+            raise Refused(f"there is no file {name}")
         spec = importlib.util.spec_from_file_location("friction_answers.adapters.own", name)
         module = importlib.util.module_from_spec(spec)
         sys.modules[spec.name] = module
         spec.loader.exec_module(module)
         return module
-    return importlib.import_module(f"friction_answers.adapters.{name}")
+    known = sorted(path.stem for path in (Path(__file__).parent / "adapters").glob("*.py") if path.stem not in ("__init__", "template"))
+    if name not in known:
+        raise Refused(f"no engine {name}; there are {', '.join(known)}, or a file of your own that ends in .py")
+    try:
+        return importlib.import_module(f"friction_answers.adapters.{name}")
+    except ImportError as error:
+        raise Refused(f"{name} is not installed here: {error}; `friction-answers all` installs it, or see its adapter's first line") from error
+
+
+class Refused(Exception):
+    """Why a run cannot begin."""
 
 
 def cases_of(item, seed):
@@ -50,20 +63,23 @@ def rest_time(case, exact):
     return case.get("speed", 1.0) / (min(case["mu"], case.get("mu_across", case["mu"])) * case.get("g", 9.81))
 
 
-def play(engine, setting, item, case, exact):
+def play(engine, setting, item, case, exact, points):
     """Rows of a case, and the processor time per simulated second."""
     options = engine.SETTINGS[setting]
     scene = item.scene(case)
     sim = Timed(engine.Simulator(scene, options, options["dt"]), scene)
     got = item.measure(sim, options["dt"], case, rest_time(case, exact))
     rows = []
+    # A body that is nowhere has no time of rest either.
+    is_lost = any(math.isnan(value) for quantity, value in got.items() if quantity != "stop_s")
     for quantity, value in got.items():
         if quantity in exact:
-            wrong = error(exact, quantity, value)
-            rows.append({
-                "quantity": quantity, "value": value, "exact": exact[quantity],
-                "error": wrong if math.isfinite(wrong) else None, "class": class_of(quantity, wrong),
-            })  # fmt: skip
+            wrong = math.inf if is_lost else error(exact, quantity, value)
+            row = {"quantity": quantity, "value": value, "exact": exact[quantity], "class": class_of(quantity, wrong)}
+            row["error"] = wrong if math.isfinite(wrong) else None
+            if quantity in points:
+                row["corners"] = error(exact, quantity, points[quantity])
+            rows.append(row)
     return rows, sim.seconds / (sim.steps * options["dt"])
 
 
@@ -89,9 +105,13 @@ class Timed:
         self.steps += 1
 
 
-def run(name, settings=(), items=(), seed=None, quick=False, told=lambda text: None):
-    """Results of an engine, as JSON has them."""
+def run(name, settings=(), items=(), seed=None, only=None, told=lambda text: None):
+    """Results of an engine, as JSON has them; `only` is the name of a case, or "last" for one of each item."""
     engine = adapter(name)
+    for setting in settings:
+        if setting not in engine.SETTINGS:
+            raise Refused(f"{name} has no setting {setting}; there are {', '.join(engine.SETTINGS)}")
+    by_corners = corners()
     results = {
         "engine": engine.NAME, "version": engine.VERSION, "licence": engine.LICENCE, "adapter": name, "seed": seed,
         "gpu": getattr(engine, "IS_FOR_GPUS", False),
@@ -102,17 +122,22 @@ def run(name, settings=(), items=(), seed=None, quick=False, told=lambda text: N
         runs = {"setting": setting, "options": engine.SETTINGS[setting], "cases": [], "cannot": {}}
         for item in (ITEMS[name] for name in items or ITEMS):
             cases = cases_of(item.name, seed)
-            for case_name in list(cases)[-1:] if quick else cases:
+            if not cases:
+                runs["cannot"][item.name] = "it has no random cases"
+            for case_name in list(cases)[-1:] if only == "last" else [case for case in cases if only in (None, case)]:
                 case, exact = cases[case_name]
+                points = by_corners.get((item.name, case_name), {})
                 began = time.perf_counter()
                 try:
-                    rows, cost = play(engine, setting, item, case, exact)
+                    rows, cost = play(engine, setting, item, case, exact, points)
                 except Unsupported as reason:
                     runs["cannot"][item.name] = str(reason)
                     break
+                except NotImplementedError as missing:
+                    raise Refused(f"the adapter lacks a function: {where(missing)}") from missing
                 except Exception as failure:  # An engine that stops is a result.
                     rows, cost = [], None
-                    runs["cannot"][f"{item.name} {case_name}"] = f"fails: {first_sentence(failure)}"
+                    runs["cannot"][f"{item.name} {case_name}"] = f"fails: {type(failure).__name__}: {first_sentence(failure)} ({where(failure)})"
                 runs["cases"].append({"item": item.name, "mark": item.mark, "case": case_name, "rows": rows, "cost": cost})
                 told(f"{engine.NAME}, {setting}: {item.name} {case_name}, {time.perf_counter() - began:.1f} s")
         results["runs"].append(runs)
@@ -120,7 +145,15 @@ def run(name, settings=(), items=(), seed=None, quick=False, told=lambda text: N
 
 
 def first_sentence(failure):
-    return str(failure).strip().split("\n")[0].split(". ")[0][:120] or type(failure).__name__
+    return str(failure).strip().split("\n")[0].split(". ")[0][:120]
+
+
+def where(failure):
+    """File and line of the adapter, or of the last call."""
+    frames = traceback.extract_tb(failure.__traceback__)
+    own = [frame for frame in frames if "friction_answers" not in frame.filename or "adapters" in frame.filename]
+    frame = own[0] if own else frames[-1]
+    return f"{Path(frame.filename).name}:{frame.lineno}"
 
 
 def processor():

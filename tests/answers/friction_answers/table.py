@@ -24,6 +24,15 @@ def answers():
     return found
 
 
+def corners():
+    """item, case -> quantity -> value that Coulomb's law at corners gives; see the adapter `corners`."""
+    found = {}
+    with open(DATA / "v2" / "corners.csv", newline="") as file:
+        for row in csv.DictReader(file):
+            found.setdefault((row["item"], row["case"]), {})[row["quantity"]] = float(row["value"])
+    return found
+
+
 def error(exact, quantity, value):
     """Relative error; of lengths relative to the longest of the case, of what should be nothing its size."""
     if not math.isfinite(value):

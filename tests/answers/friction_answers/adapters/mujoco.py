@@ -8,8 +8,9 @@ NAME, VERSION, LICENCE = "MuJoCo", mujoco.__version__, "Apache-2.0"
 SETTINGS = {
     "default": {"dt": 2e-3},
     "elliptic": {"dt": 1e-3, "cone": "elliptic"},
-    "elliptic, impratio 10, noslip 10": {"dt": 1e-3, "cone": "elliptic", "impratio": 10, "noslip_iterations": 10},
-    "elliptic, stiff": {"dt": 1e-3, "cone": "elliptic", "impratio": 100, "noslip_iterations": 10, "solref": "0.002 1"},
+    "elliptic, implicitfast, noslip": {"dt": 1e-3, "cone": "elliptic", "integrator": "implicitfast", "noslip_iterations": 10},
+    "elliptic, steps of 0.2 ms": {"dt": 2e-4, "cone": "elliptic"},
+    "elliptic, stiff, noslip": {"dt": 2e-4, "cone": "elliptic", "impratio": 100, "noslip_iterations": 10, "solref": "0.0005 1"},
 }
 PLAIN = ("cone", "impratio", "noslip_iterations", "integrator")
 

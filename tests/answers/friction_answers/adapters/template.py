@@ -1,26 +1,33 @@
 """Start of an adapter for an engine of your own: copy this file, fill in what raises, and run `friction-answers run your_file.py --quick`.
 
-`scene.py` of the package says what a scene holds. Restitution, damping and sleep are off; friction between any two bodies is `scene.mu`, whatever
-the rule by which the engine combines coefficients. Check one thing first: `--items puck`, case 0, must go 0.1699 m.
+`scene.py` of the package says what a scene holds, and has helpers: `parts` (shapes by kind), `of_centre`, `of_origin`, `rotated`, `refuse`.
+Restitution, damping and sleep are off; friction between any two bodies is `scene.mu`, whatever the rule by which the engine combines coefficients. An
+engine without a shape refuses it.
+
+Check first, in this order: `--items collide` (masses, inertia, frames of spins), `--items oblique`, `--items box --case 0` (must go 0.1667 m),
+then `--quick`.
 """
 
 from friction_answers.scene import Unsupported  # noqa: F401
 
 NAME, VERSION, LICENCE = "my engine", "0.1", "MIT"
-# The engine's defaults first, then what makes it best; `dt` is the length of a step in s.
+# The engine's own defaults first, step included, then what makes it best. `dt` is the length of a step in s; other keys are yours.
 SETTINGS = {"default": {"dt": 1 / 240}}
 
 
 class Simulator:
     def __init__(self, scene, setting, dt):
-        """Builds the floor z = 0 if `scene.has_floor`, and each of `scene.bodies` at rest.
+        """Builds the floor z = 0 if `scene.has_floor`, and each of `scene.bodies` at rest; `setting` is an entry of SETTINGS, `dt` its step.
 
         Raise `Unsupported("why")` for what the engine has not; `scene.needs` names it: feet, capsule, driven, gravity, force, torsion, anisotropic.
         """
         raise NotImplementedError
 
     def set(self, body, velocity, spin):
-        """Velocity of the centre of mass, m/s, and spin, rad/s, of the body of this number, along the axes of the world; driven bodies keep them."""
+        """Velocity of the centre of mass, m/s, and spin, rad/s, of the body of this number, along the axes of the world.
+
+        Of driven bodies, which nothing stops, it is called anew before every step.
+        """
         raise NotImplementedError
 
     def step(self):
