@@ -1,7 +1,7 @@
 """A test in the form of newton/tests: a box that slides and spins stops where Coulomb's law on its face says.
 
-The stopping distance of a box that slides straight is right whatever carries the box. With spin it is not: points at the corners have 1.85 times the torque of the face, and
-the box turns too little. Travel and angle are the reference answers of item `box`, spins 5 and 25.
+The stopping distance of a box that slides straight is right whatever carries the box. With spin it is not: points at the corners have 1.85
+times the torque of the face, and the box turns too little. Travel and angle are the reference answers of item `box`, spins 5 and 25.
 """
 
 import unittest

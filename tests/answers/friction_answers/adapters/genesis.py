@@ -2,7 +2,7 @@
 
 import genesis
 
-from ..scene import Unsupported, cross, rotated, sum_of
+from ..scene import Unsupported, inverse, of_centre, of_origin, rotated
 from .mujoco import geoms
 
 genesis.init(backend=genesis.cpu, logging_level="error")
@@ -10,7 +10,7 @@ IS_FOR_GPUS = True
 NAME, VERSION, LICENCE = "Genesis", genesis.__version__, "Apache-2.0"
 SETTINGS = {
     "default": {"dt": 1e-2},
-    "signorini": {"dt": 2e-3, "friction_cone": genesis.friction_cone.elliptic},
+    "signorini": {"dt": 2e-3, "friction_cone": "elliptic"},
 }
 
 
@@ -18,7 +18,7 @@ class Simulator:
     def __init__(self, scene, setting, dt):
         if scene.mu_across is not None:
             raise Unsupported("A geometry has one coefficient of friction for all directions.")
-        options = {key: value for key, value in setting.items() if key != "dt"}
+        options = {"friction_cone": getattr(genesis.friction_cone, setting["friction_cone"])} if "friction_cone" in setting else {}
         self.scene = genesis.Scene(
             sim_options=genesis.options.SimOptions(dt=dt, gravity=scene.gravity),
             rigid_options=genesis.options.RigidOptions(enable_torsional_friction=bool(scene.torsion), **options),
@@ -40,29 +40,21 @@ class Simulator:
             self.bodies.append(self.scene.add_entity(morph, genesis.materials.Rigid(**material, **still)))
         self.scene.build()
         self.com, self.forces = [body.com for body in scene.bodies], {}
-        self.driven = {i: ((0.0,) * 3,) * 2 for i, body in enumerate(scene.bodies) if body.is_driven}
 
     def set(self, body, velocity, spin):
-        if body in self.driven:
-            self.driven[body] = velocity, spin
-        _, _, arm = self.frame(body)
-        self.bodies[body].set_dofs_velocity((*sum_of(velocity, cross(spin, arm), -1.0), *spin))
-
-    def frame(self, body):
-        place, q = self.bodies[body].get_pos().tolist(), tuple(self.bodies[body].get_quat().tolist())
-        return place, q, rotated(q, self.com[body])
+        q = tuple(self.bodies[body].get_quat().tolist())
+        # The joint has the velocity of the body's origin and the spin in the body's axes.
+        self.bodies[body].set_dofs_velocity((*of_origin(q, velocity, spin, self.com[body]), *rotated(inverse(q), spin)))
 
     def step(self):
-        for body, motion in self.driven.items():
-            self.set(body, *motion)
         for body, vector in self.forces.items():
             self.bodies[body].base_link.apply_external_force(vector, ref=genesis.link_ref_frame.link_COM)
         self.scene.step()
 
     def state(self, body):
-        place, q, arm = self.frame(body)
-        spin = tuple(self.bodies[body].get_ang().tolist())
-        return sum_of(place, arm), q, sum_of(self.bodies[body].get_vel().tolist(), cross(spin, arm)), spin
+        made = self.bodies[body]
+        parts = (made.get_pos(), made.get_quat(), made.get_vel(), made.get_ang())
+        return of_centre(*(tuple(part.tolist()) for part in parts), self.com[body])
 
     def gravity(self, vector):
         self.scene.sim.set_gravity(vector)
