@@ -67,15 +67,16 @@ def summary(results):
 
 def told_row(item, case, row):
     never = "never stops" if row["quantity"] == "stop_s" else "not finite"
-    wrong = never if row["error"] is None else told_error(row["quantity"], row["error"])
-    points = f"  corners alone {told_error(row['quantity'], row['corners'])}" if "corners" in row else ""
+    wrong = never if row["error"] is None else told_error(row["quantity"], row["error"], row["exact"])
+    points = f"  corners alone {told_error(row['quantity'], row['corners'], row['exact'])}" if "corners" in row else ""
     numbers = f"{row['value']:<12.6g} exact {row['exact']:<12.6g}"
     return f"  {item:16} {case:>8} {row['quantity']:18} {numbers} {wrong:>12}  {row['class']}{points}"
 
 
-def told_error(quantity, wrong):
-    unit = UNITS[quantity]
-    return f"{wrong:.2g} {unit}" if class_of(quantity, 0.01) != class_of("along_m", 0.01) else f"{100 * wrong:.3g} %"
+def told_error(quantity, wrong, exact):
+    """In the unit of the quantity where it should be nothing and has no scale."""
+    has_scale = exact != 0.0 or quantity in ("left_m", "along_m")
+    return f"{100 * wrong:.3g} %" if has_scale else f"{wrong:.2g} {UNITS[quantity]}"
 
 
 def compared(args):

@@ -113,7 +113,7 @@ def run(name, settings=(), items=(), seed=None, only=None, told=lambda text: Non
             raise Refused(f"{name} has no setting {setting}; there are {', '.join(engine.SETTINGS)}")
     by_corners = corners()
     results = {
-        "engine": engine.NAME, "version": engine.VERSION, "licence": engine.LICENCE, "adapter": name, "seed": seed,
+        "engine": engine.NAME, "version": engine.VERSION, "licence": engine.LICENCE, "adapter": name, "seed": seed, "only": only,
         "gpu": getattr(engine, "IS_FOR_GPUS", False),
         "machine": {"system": platform.platform(), "processor": processor(), "cores": os.cpu_count(), "python": platform.python_version()},
         "runs": [],

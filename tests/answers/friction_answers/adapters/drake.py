@@ -8,10 +8,11 @@ from ..scene import of_centre, of_origin, parts, refuse, sum_of
 
 NAME, VERSION, LICENCE = "Drake", version("drake"), "BSD-3-Clause"
 LACKS = {"torsion": "Points have no torsional friction.", "anisotropic": "Friction is the same in all directions."}
-FINE = {"contact_surface_representation": "triangle", "stiction_tolerance": 1e-6, "discrete_contact_approximation": "tamsi"}
+FINE = {"contact_surface_representation": "triangle", "stiction_tolerance": 1e-6}
 SETTINGS = {
-    "default": {"dt": 1e-3, "config": {}},
-    "hydroelastic faces, TAMSI": {"dt": 1e-3, "config": FINE, "modulus": 1e8},
+    "points (default)": {"dt": 1e-3, "config": {}},
+    "hydroelastic faces": {"dt": 1e-3, "config": FINE, "modulus": 1e8, "hint": 0.01},
+    "hydroelastic faces, finer": {"dt": 1e-3, "config": FINE, "modulus": 1e8, "hint": 0.004},
 }
 
 
@@ -57,7 +58,7 @@ class Simulator:
             if has_face and is_hard:
                 drake.AddRigidHydroelasticProperties(0.5, made)
             elif has_face:
-                drake.AddCompliantHydroelasticProperties(0.01, setting["modulus"], made)
+                drake.AddCompliantHydroelasticProperties(setting["hint"], setting["modulus"], made)
             self.plant.RegisterCollisionGeometry(body, place_of(place, q), shape, f"{body.name()}{i}", made)
 
     def set(self, body, velocity, spin):
