@@ -150,7 +150,7 @@ def page(results, out, missing=None):
     rows = [Row(one, run) for one in results for run in one["runs"]]
     out.mkdir(parents=True, exist_ok=True)
     (out / "engines.csv").write_text(table(rows))
-    (out / "engines.svg").write_text(scatter(rows))
+    (out / "engines.svg").write_text(scatter([row for row in rows if row.engine != CORNERS]))
     (out / "engines.md").write_text("\n".join(text(results, rows, missing or {})) + "\n")
 
 

@@ -40,7 +40,7 @@ def scatter(rows):
         y = py(10.0 ** (power - 2))
         out.append(f'<path d="M{LEFT} {y:.1f}H{WIDTH - RIGHT}" stroke="#dddddd"/><text x="{LEFT - 6}" y="{y + 4:.1f}" text-anchor="end">{10.0**power:g} %</text>')
     out.append(f'<text x="{(LEFT + WIDTH) / 2}" y="{HEIGHT - 14}" text-anchor="middle">processor time over simulated time, one scene</text>')
-    out.append(f'<text transform="translate(16 {HEIGHT / 2}) rotate(-90)" text-anchor="middle">mean error of releases, travels, turns, rolls</text>')
+    out.append(f'<text transform="translate(16 {HEIGHT / 2}) rotate(-90)" text-anchor="middle">error: mean of the five marks</text>')
     taken = []
     for i, engine in enumerate(dict.fromkeys(row.engine for row, _, _ in points)):
         colour = COLOURS[i % len(COLOURS)]
