@@ -5,11 +5,12 @@ import mujoco
 from ..scene import balls, inverse, of_centre, of_origin, rotated
 
 NAME, VERSION, LICENCE = "MuJoCo", mujoco.__version__, "Apache-2.0"
+NOSLIP = {"dt": 1e-3, "cone": "elliptic", "integrator": "implicitfast", "noslip_iterations": 10}
 SETTINGS = {
     "default": {"dt": 2e-3},
     "elliptic": {"dt": 1e-3, "cone": "elliptic"},
-    "elliptic, implicitfast, noslip": {"dt": 1e-3, "cone": "elliptic", "integrator": "implicitfast", "noslip_iterations": 10},
-    "elliptic, implicitfast, noslip, solref 0.005": {"dt": 1e-3, "cone": "elliptic", "integrator": "implicitfast", "noslip_iterations": 10, "solref": "0.005 1"},
+    "elliptic, implicitfast, noslip": NOSLIP,
+    "elliptic, implicitfast, noslip, solref 0.005": NOSLIP | {"solref": "0.005 1"},
     "elliptic, steps of 0.2 ms": {"dt": 2e-4, "cone": "elliptic"},
     "elliptic, stiff, noslip": {"dt": 2e-4, "cone": "elliptic", "impratio": 100, "noslip_iterations": 10, "solref": "0.0005 1"},
 }
