@@ -2,12 +2,14 @@
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 import time
 import venv
 from pathlib import Path
 
+from .cases import DATA
 from .page import page
 
 PACKAGE = Path(__file__).resolve().parent
@@ -31,19 +33,19 @@ ENGINES = {
 
 
 def everything(out, names, quick, told):
-    """Runs the engines of these names, all without any, and writes the page into a folder; results that are there already are kept."""
+    """Runs the engines of these names, all without any, and writes the page into a folder; results of the same cases that are there already are kept."""
     out.mkdir(parents=True, exist_ok=True)
-    missing = {}
+    missing, alone = {}, package(out / "engines" / "package")
     for name in names or ENGINES:
         results = out / f"{name}.json"
-        if results.exists():
+        if results.exists() and (json.loads(results.read_text()).get("only") == "last") == quick:
             told(f"{name}: kept {results}")
             continue
         began = time.monotonic()
         try:
             python = environment(out / "engines" / name, ENGINES[name])
             words = [python, "-m", PACKAGE.name, "run", name, "--out", results, *(["--quick"] if quick else [])]
-            ran = subprocess.run(words, capture_output=True, text=True, env=os.environ | {"PYTHONPATH": str(PACKAGE.parent)})
+            ran = subprocess.run(words, capture_output=True, text=True, env=os.environ | {"PYTHONPATH": str(alone)})
             if ran.returncode:
                 missing[name] = (ran.stderr.strip().splitlines() or ["it fails"])[-1]
         except (subprocess.CalledProcessError, OSError) as failure:
@@ -53,6 +55,14 @@ def everything(out, names, quick, told):
     if not found:
         sys.exit("no engine ran")
     page(found, out, missing)
+
+
+def package(folder):
+    """A folder with this package and nothing else, for environments that must not see the packages beside it."""
+    shutil.copytree(PACKAGE, folder / PACKAGE.name, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__"))
+    for version in ("v1", "v2"):
+        shutil.copytree(DATA / version, folder / PACKAGE.name / version, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__"))
+    return folder
 
 
 def environment(folder, packages):
