@@ -11,10 +11,11 @@ engine=box3d
 commit=30c67b5e6d0a3a66f0f506c69ce9e9e0587e3b7c
 exported=(CMakeLists.txt include src shared test)
 headers_at=include/box3d
+switched=BOX3D_JOINT_FRICTION
 compared=()
 
 configure() { # SOURCE BUILD ON|OFF
-    cmake -S "$1" -B "$2" -DCMAKE_BUILD_TYPE=Release -DBOX3D_SAMPLES=OFF -DBOX3D_JOINT_FRICTION="$3"
+    cmake -S "$1" -B "$2" -DCMAKE_BUILD_TYPE=Release -DBOX3D_SAMPLES=OFF "-D$switched=$3"
 }
 
 scenes() { # SOURCE BUILD PROGRAM

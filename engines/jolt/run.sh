@@ -11,11 +11,12 @@ engine=jolt
 commit=3b47ec390cb9b933769183eff599f72195c5873c
 exported=(Build Jolt UnitTests)
 headers_at=Jolt/Physics/Constraints
+switched=JOINT_FRICTION
 compared=(ContactConstraintManager.cpp EstimateCollisionResponse.cpp PhysicsSystem.cpp)
 
 configure() { # SOURCE BUILD ON|OFF
     # gcc 12 warns of uninitialised operands in its own intrinsics: warnings are no errors here.
-    cmake -S "$1/Build" -B "$2" -DCMAKE_BUILD_TYPE=Release -DJOINT_FRICTION="$3" -DENABLE_ALL_WARNINGS=OFF \
+    cmake -S "$1/Build" -B "$2" -DCMAKE_BUILD_TYPE=Release "-D$switched=$3" -DENABLE_ALL_WARNINGS=OFF \
         -DTARGET_SAMPLES=OFF -DTARGET_VIEWER=OFF -DTARGET_HELLO_WORLD=OFF -DTARGET_PERFORMANCE_TEST=OFF \
         -DGENERATE_DEBUG_SYMBOLS=OFF -DINTERPROCEDURAL_OPTIMIZATION=OFF -DJPH_USE_VK=OFF \
         -DPROFILER_IN_DEBUG_AND_RELEASE=OFF -DDEBUG_RENDERER_IN_DEBUG_AND_RELEASE=OFF

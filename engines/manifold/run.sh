@@ -3,6 +3,7 @@
 #   commit      the engine's commit that the diff is for
 #   exported    paths of the engine's tree that are needed
 #   headers_at  where the engine's build finds the two headers of this project
+#   switched    the switch of the diff
 #   compared    sources that must not change without the switch; none means all of src
 # and defines: configure SOURCE BUILD ON|OFF, scenes SOURCE BUILD PROGRAM, tests BUILD, summary LOG.
 
@@ -56,6 +57,16 @@ check_off() {
     python3 "$here/same_source.py" "$work/before/build" "$work/off" "${compared[@]}"
 }
 
+# The benchmark of friction, by the engine and its adapter in one library.
+answers() { # before|after
+    local adapters=$repository/tests/answers/friction_answers/adapters name=()
+    [ "$1" = after ] && name=(-DANSWERS_NAME="$engine with tribos" "-D$switched=ON")
+    cmake -S "$adapters" -B "$work/$1/answers" -DENGINE="$engine" -DSOURCE="$work/$1/source" \
+        -DCMAKE_BUILD_TYPE=Release "${name[@]}" && cmake --build "$work/$1/answers" -j2 &&
+        (cd "$repository/tests/answers" && python3 -m friction_answers run --out "$work/$1/answers.json" \
+            "$work/$1/answers/lib${engine}_answers.so")
+}
+
 run_costs() {
     local scene round
     echo "scene,round,before,after" >"$work/cost.csv"
@@ -71,7 +82,6 @@ run() {
     local source=$1 state switch=OFF
     check_commit "$source"
     mkdir -p "$work"
-    python3 "$repository/engines/ranking/scenes.py" >"$work/launches.txt"
     for state in before after; do
         export_tree "$source" "$work/$state/source"
         if [ "$state" = after ]; then
@@ -82,8 +92,8 @@ run() {
             die "the build failed: see $work/$state/build.log"
         scenes "$work/$state/source" "$work/$state/build" "$work/$state/scenes" >>"$work/$state/build.log" 2>&1 ||
             die "the scenes do not compile: see $work/$state/build.log"
+        answers "$state" >"$work/$state/answers.log" 2>&1 || die "the benchmark fails: see $work/$state/answers.log"
         "$work/$state/scenes" throws >"$work/$state/throws.csv"
-        "$work/$state/scenes" answers <"$work/launches.txt" >"$work/$state/answers.csv"
         "$work/$state/scenes" rest >"$work/$state/rest.csv"
         tests "$work/$state/build" >"$work/$state/tests.log" 2>&1 || echo "some tests of the engine fail: $state" >&2
         summary "$work/$state/tests.log" >"$work/$state/tests.txt"

@@ -63,6 +63,47 @@ def thrown(case):
     return {"along_m": state[3], "left_m": state[4], "turn_rad": state[5], "stop_s": state[6]}
 
 
+def leaning(elements, inverse, lever, vx, vy, spin, shift, slip=1e-12):
+    """Wrench of elements whose weights are linear in the place of the centre of pressure, which friction shifts; `inverse` gives slopes from places."""
+    for _ in range(4):
+        a, b = inverse(*shift)
+        fx, fy, torque = 0.0, 0.0, 0.0
+        for x, y, weight in elements:
+            ux, uy = vx - spin * y, vy + spin * x
+            force = -weight * (1 + a * x + b * y) / math.hypot(ux, uy, slip)
+            fx, fy, torque = fx + force * ux, fy + force * uy, torque + force * (x * uy - y * ux)
+        shift = (-lever * fx, -lever * fy)
+    return (fx, fy, torque), shift
+
+
+def moments(elements):
+    """Weights that sum to 1, and the inverse of their second moments."""
+    total = sum(w for _, _, w in elements)
+    elements = [(x, y, w / total) for x, y, w in elements]
+    xx, yy, xy = (sum(w * f(x, y) for x, y, w in elements) for f in (lambda x, _: x * x, lambda _, y: y * y, lambda x, y: x * y))
+    det = xx * yy - xy * xy
+    return elements, lambda sx, sy: ((sx * yy - sy * xy) / det, (sy * xx - sx * xy) / det)
+
+
+def standing(case, dt=1e-5, slip=1e-3):
+    """The tall cylinder and bodies on feet, whose friction falls linearly below a small slip."""
+    arm2, k, lever = case["gyration_sq"], case["mu"] * case["g"], case["mu"] * case["height"]
+    if "foot_1_x" in case:
+        (ax, ay), (bx, by), (cx, cy) = feet = [(case[f"foot_{i}_x"], case[f"foot_{i}_y"]) for i in (1, 2, 3)]
+        own = [bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx]
+        elements, inverse = moments([(x, y, w) for (x, y), w in zip(feet, own)])
+    else:
+        (elements, inverse), dt = moments(grid(case, 12)), 1e-3
+    vx, vy, w, x, y, angle, t, shift = case["speed"], 0.0, case["spin"], 0.0, 0.0, 0.0, 0.0, (0.0, 0.0)
+    while math.hypot(vx, vy, math.sqrt(arm2) * w) > slip:
+        co, si = math.cos(angle + 0.5 * dt * w), math.sin(angle + 0.5 * dt * w)
+        (fx, fy, torque), shift = leaning(elements, inverse, lever, co * vx + si * vy, co * vy - si * vx, w, shift, slip)
+        ax, ay, turn = k * (co * fx - si * fy), k * (si * fx + co * fy), k * torque / arm2
+        x, y, angle = x + dt * (vx + 0.5 * dt * ax), y + dt * (vy + 0.5 * dt * ay), angle + dt * (w + 0.5 * dt * turn)
+        vx, vy, w, t = vx + dt * ax, vy + dt * ay, w + dt * turn, t + dt
+    return {"along_m": x, "left_m": y, "turn_rad": angle, "stop_s": t}
+
+
 def belts(case, n=50, steps=400):
     x, y, k = case["half_x"], case["half_y"], case["mu"] * case["g"]
     places = [(x * (2 * (i + 0.5) / n - 1), y * (2 * (j + 0.5) / n - 1)) for i in range(n) for j in range(n)]
@@ -195,6 +236,7 @@ def nothing(case):
 
 BRUTE = {
     **dict.fromkeys(("puck", "ring", "box", "plank", "bar", "eccentric"), thrown),
+    **dict.fromkeys(("tripod", "three_ball", "three_ball_low", "tall"), standing),
     **dict.fromkeys(("spin_down", "top"), disk),
     **dict.fromkeys(("ball", "back_spin"), rolls),
     **dict.fromkeys(("incline_holds", "incline_slides"), slope),

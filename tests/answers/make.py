@@ -6,7 +6,8 @@
 
 Needs mpmath and scipy. The second route shares no formula with the first where there is a choice: other integrators (scipy's), quadrature in polar
 coordinates for faces, event times by root finding on integrated speeds, motions integrated where the first is a closed form. The column
-`second` is its difference relative to the scale of the quantity. Items of version 1 keep their own answers and `v1/make.py`.
+`second` is its difference relative to the scale of the quantity. Items of version 1 keep their own answers, which
+the tests find again in doubles.
 """
 
 import argparse

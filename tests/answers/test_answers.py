@@ -9,6 +9,8 @@ import csv
 import io
 import json
 import os
+import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -83,6 +85,31 @@ class Answers(unittest.TestCase):
                 self.assertIn((item, name), known)
 
 
+# Bodies that nothing stops, at the speeds that they are given.
+ICE = """
+#include "engine.h"
+#include <stdlib.h>
+struct world { double state[13], dt; };
+const char *fa_about(void) {
+    return "{\\"name\\": \\"ice\\", \\"version\\": \\"1\\", \\"licence\\": \\"MIT\\", \\"kind\\": \\"games\\", \\"settings\\": {\\"default\\": {\\"dt\\": 0.01}}}";
+}
+void *fa_make(const fa_scene *scene, const char **why) {
+    if (scene->torsion > 0) { *why = "Ice resists no spin."; return NULL; }
+    struct world *made = calloc(1, sizeof *made);
+    made->dt = scene->dt, made->state[3] = 1, made->state[2] = scene->bodies[0].place[2];
+    return made;
+}
+void fa_drop(void *at) { free(at); }
+void fa_set(void *at, int body, const double v[3], const double w[3]) {
+    for (int i = 0; i < 3; ++i) ((struct world *)at)->state[7 + i] = v[i], ((struct world *)at)->state[10 + i] = w[i];
+}
+void fa_step(void *at) { for (int i = 0; i < 3; ++i) ((struct world *)at)->state[i] += ((struct world *)at)->state[7 + i] * ((struct world *)at)->dt; }
+void fa_state(void *at, int body, double state[13]) { for (int i = 0; i < 13; ++i) state[i] = ((struct world *)at)->state[i]; }
+void fa_gravity(void *at, const double gravity[3]) {}
+void fa_force(void *at, int body, const double force[3]) {}
+"""
+
+
 class Commands(unittest.TestCase):
     def test_an_engine_of_corners_turns_too_little(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -109,6 +136,21 @@ class Commands(unittest.TestCase):
             own.write_text((HERE / "friction_answers" / "adapters" / "template.py").read_text())
             with self.assertRaisesRegex(SystemExit, "template|my_engine"):
                 said("run", str(own), "--quick")
+
+    @unittest.skipUnless(shutil.which("cc"), "needs cc")
+    def test_an_engine_in_c_runs_from_its_library(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source, library = Path(folder) / "ice.c", Path(folder) / "ice.so"
+            source.write_text(ICE)
+            subprocess.run(["cc", "-shared", "-fPIC", "-Wall", "-Werror", f"-I{HERE / 'friction_answers'}", source, "-o", library], check=True)
+            text = said("run", str(library), "--items", "ball", "torsion")
+            self.assertRegex(text, r"20 rolling_speed_m_s +1 ")
+            self.assertIn("cannot: Ice resists no spin.", text)
+            with self.assertRaisesRegex(SystemExit, "the error of default is 12.9 %, more than 5 %"):
+                said("run", str(library), "--items", "ball", "--case", "20", "--at-most", "5")
+            source.with_suffix(".dll").write_text("no library")
+            with self.assertRaisesRegex(SystemExit, "has not the functions of engine.h"):
+                said("run", str(source.with_suffix(".dll")))
 
     def test_tables_of_both_versions_are_compared(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -1,4 +1,3 @@
-#include "answers.h"
 #include "cost.h"
 #include "rest.h"
 #include "throws.h"
@@ -12,10 +11,6 @@ int main( int count, char** arguments )
 	if ( strcmp( scene, "throws" ) == 0 )
 	{
 		print_throws();
-	}
-	else if ( strcmp( scene, "answers" ) == 0 )
-	{
-		print_answers();
 	}
 	else if ( strcmp( scene, "rest" ) == 0 )
 	{
@@ -31,9 +26,8 @@ int main( int count, char** arguments )
 	}
 	else
 	{
-		fprintf( stderr, "usage: %s throws|answers|rest|pile|sliding\n"
-						 "throws, answers and rest print CSV, pile and sliding the CPU time of a step in microseconds;\n"
-						 "answers reads what engines/ranking/scenes.py prints\n",
+		fprintf( stderr, "usage: %s throws|rest|pile|sliding\n"
+						 "throws and rest print CSV, pile and sliding the CPU time of a step in microseconds\n",
 				 arguments[0] );
 		return 2;
 	}

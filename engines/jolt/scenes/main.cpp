@@ -1,4 +1,3 @@
-#include "answers.h"
 #include "cost.h"
 #include "rest.h"
 #include "throws.h"
@@ -13,8 +12,6 @@ int main(int inCount, char **inArguments)
 	InitialiseEngine();
 	if (scene == "throws")
 		PrintThrows();
-	else if (scene == "answers")
-		PrintAnswers();
 	else if (scene == "rest")
 		PrintRest();
 	else if (scene == "pile")
@@ -23,9 +20,8 @@ int main(int inCount, char **inArguments)
 		std::printf("%.2f\n", SlidingMicroseconds());
 	else
 	{
-		std::fprintf(stderr, "usage: %s throws|answers|rest|pile|sliding\n"
-							 "throws, answers and rest print CSV, pile and sliding the CPU time of a step in microseconds;\n"
-							 "answers reads what engines/ranking/scenes.py prints\n", inArguments[0]);
+		std::fprintf(stderr, "usage: %s throws|rest|pile|sliding\n"
+							 "throws and rest print CSV, pile and sliding the CPU time of a step in microseconds\n", inArguments[0]);
 		return 2;
 	}
 	return 0;

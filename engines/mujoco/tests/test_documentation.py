@@ -5,7 +5,6 @@ import io
 import pathlib
 import re
 import subprocess
-import sys
 
 import mujoco
 import pytest
@@ -62,11 +61,3 @@ def test_the_program_in_c_prints_the_table():
     # Half a step of the first speed is 0.30 % of the shortest way.
     assert all(abs(float(row[2])) <= 0.31 for row in rows)
     assert said.stdout.splitlines()[5].startswith("time of a step")
-
-
-def test_the_page_of_the_benchmark_follows_from_its_tables():
-    sys.path.insert(0, str(HERE.parent / "ranking"))
-    import rank
-
-    for path, text in rank.from_tables().items():
-        assert path.read_text(encoding="utf-8") == text, f"{path}: run rank.py --page"

@@ -143,8 +143,16 @@ impl Patch {
         self.mu
     }
 
-    /// The same patch with its x axis along a direction of the collider's own frame.
-    pub(crate) fn along(self, along: Vector) -> Self {
+    /// The same patch with its x axis along a direction of the collider's own frame, along x before: the bar of a wheel,
+    /// whose cylinder has its axis along y.
+    ///
+    /// ```
+    /// use rapier3d::prelude::Vector;
+    /// use tribos_rapier::Patch;
+    /// let tyre = Patch::bar(0.8, 0.02)?.along(Vector::Y); // half its width in m
+    /// # Ok::<(), tribos_rapier::PatchError>(())
+    /// ```
+    pub fn along(self, along: Vector) -> Self {
         Self { along, ..self }
     }
 

@@ -10,6 +10,8 @@ from pathlib import Path
 from .answers import ANSWERS, DOUBLE
 from .cases import drawn
 from .items import ITEMS
+from .page import MARKS, Row, page
+from .page import told as told_mark
 from .run import Refused, run
 from .table import CLASSES, answers, class_of, error
 from .units import UNITS
@@ -19,6 +21,7 @@ EPILOG = """examples:
   friction-answers run mujoco --quick
   friction-answers run mujoco --setting elliptic --items puck box --out mujoco.json
   friction-answers run my_engine.py --seed 7
+  friction-answers run ./libmy_engine.so --at-most 5
   friction-answers compare results.csv
   friction-answers variants --seed 7 --items box belts
   friction-answers page *.json --out page
@@ -50,6 +53,9 @@ def played(args):
         print(f"written to {args.out}")
     if not any(case["rows"] for one in results["runs"] for case in one["cases"]):
         sys.exit("friction-answers: no case gave a result")
+    wrong = {one["setting"]: 100 * Row(results, one).overall() for one in results["runs"]}
+    if args.at_most is not None and max(wrong.values()) > args.at_most:
+        sys.exit(f"friction-answers: the error of {max(wrong, key=wrong.get)} is {max(wrong.values()):.3g} %, more than {args.at_most:g} %")
 
 
 def summary(results):
@@ -63,6 +69,8 @@ def summary(results):
             print(f"  {item:16} cannot: {reason}")
         classes = [row["class"] for case in one["cases"] for row in case["rows"]]
         print("  " + ", ".join(f"{classes.count(name)} {name}" for name in CLASS_NAMES))
+        row = Row(results, one)
+        print("  " + ", ".join(f"{mark} {told_mark(mark, row.median(mark))}" for mark in MARKS) + f"; error {100 * row.overall():.2g} %, cost {row.cost:.2g}")
 
 
 def told_row(item, case, row):
@@ -119,15 +127,13 @@ def varied(args):
     made = []
     for name in args.items or ANSWERS:
         if name not in ANSWERS:
-            sys.exit(f"{name} has no random cases")
+            sys.exit(f"no item {name}; `friction-answers list` has all")
         case = drawn(name, args.seed)
         made.append({"item": name, "case": case, "answers": {key: float(x) for key, x in ANSWERS[name](case, DOUBLE).items()}})
     print(json.dumps(made, indent=1))
 
 
 def paged(args):
-    from .page import page
-
     page([json.loads(Path(path).read_text()) for path in args.results], Path(args.out))
 
 
@@ -153,12 +159,15 @@ def main():
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     commands.add_parser("list", help="the problems and their cases").set_defaults(do=listed)
     one = commands.add_parser("run", help="run an engine through the problems")
-    one.add_argument("engine", help="an adapter of the package, or a file of your own (start from adapters/template.py)")
+    one.add_argument(
+        "engine", help="an adapter of the package, or one of your own: Python (start from adapters/template.py) or a shared library with the functions of engine.h"
+    )
     one.add_argument("--setting", action="append", default=[], help="one of the adapter's settings; may be repeated; all without it")
     one.add_argument("--items", nargs="+", default=[], choices=list(ITEMS), metavar="ITEM")
     one.add_argument("--seed", type=int, help="random cases of this seed in place of the standard ones")
     one.add_argument("--case", help="this case alone")
     one.add_argument("--quick", action="store_true", help="the last case of each item")
+    one.add_argument("--at-most", type=float, metavar="PERCENT", help="fail if the error of a setting, the mean of its marks, is larger")
     one.add_argument("--out", help="results as JSON")
     one.set_defaults(do=played)
     one = commands.add_parser("compare", help="errors of a table that your simulator wrote")

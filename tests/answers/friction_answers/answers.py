@@ -7,6 +7,7 @@ from . import numbers as mp
 from .faces import BarFace, PolygonFace, RoundFace, with_load_below
 from .items import THROWN
 from .motion import Slide, over, root
+from .standing import Feet, SlideOnFeet, TallFace
 
 DOUBLE = (7, "1e-13")
 
@@ -17,7 +18,7 @@ def number(case, *keys):
 
 
 def face_of(case):
-    """The face of a thrown body with a straight or round outline."""
+    """The face of a thrown body."""
     if "end_1_x" in case:
         return BarFace(*number(case, "end_1_x"))
     if "corner_1_x" in case:
@@ -27,6 +28,11 @@ def face_of(case):
         ox, oy = number(case, "offset_x", "offset_y")
         uniform = PolygonFace(corners).gyration_sq
         return with_load_below([(x - ox, y - oy) for x, y in corners], uniform)
+    if "foot_1_x" in case:
+        feet = [tuple(number(case, f"foot_{i}_x", f"foot_{i}_y")) for i in (1, 2, 3)]
+        return Feet(*number(case, "mu", "height"), feet, *number(case, "gyration_sq"))
+    if case["height"]:
+        return TallFace(*number(case, "mu", "height", "radius", "gyration_sq"))
     return RoundFace(*number(case, "radius", "gyration_sq"), is_ring=case.get("is_ring", False))
 
 
@@ -35,7 +41,8 @@ def thrown(case, way):
     if case["spin"] == 0 and "offset_x" not in case:
         zero = mp.real("0")
         return {"along_m": speed**2 / (2 * mu * g), "left_m": zero, "turn_rad": zero, "stop_s": speed / (mu * g)}
-    along, left, turn, stop = Slide(face_of(case), mu * g, way).to_rest(speed, spin)
+    face = face_of(case)
+    along, left, turn, stop = (SlideOnFeet if "foot_1_x" in case else Slide)(face, mu * g, way).to_rest(speed, spin)
     return {"along_m": along, "left_m": left, "turn_rad": turn, "stop_s": stop}
 
 
@@ -300,8 +307,7 @@ def turntable(case, way):
 
 
 ANSWERS = {
-    **{name: thrown for name in THROWN if name in ("puck", "ring", "box", "plank", "bar")},
-    "eccentric": thrown,
+    **dict.fromkeys((*THROWN, "eccentric"), thrown),
     "spin_down": disk_spins,
     "top": disk_spins,
     "wheel": wheel,

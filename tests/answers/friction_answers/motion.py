@@ -65,6 +65,9 @@ class Slide:
         vx, vy, spin = state[:3]
         return mp.sqrt(vx * vx + vy * vy + self.face.gyration_sq * spin * spin)
 
+    def end(self, _):
+        """Displacement, angle and time until rest, where the rest of the motion is another one."""
+
     def to_rest(self, speed, spin):
         """Displacement along and to the left, angle and time until rest."""
         zero = mp.real("0")
@@ -78,6 +81,9 @@ class Slide:
         while self.size(state) > mp.real(END) * start:
             size = self.size(state)
             state, h = solver.step(state, h, [size, size, size / arm, *units])
+            early = self.end(state)
+            if early:
+                return early
         ax, ay, turn = self.acceleration(*state[:3], state[5])
         slowing = -(state[0] * ax + state[1] * ay + self.face.gyration_sq * state[2] * turn) / self.size(state)
         return [*state[3:6], state[6] + self.size(state) / slowing]

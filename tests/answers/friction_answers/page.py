@@ -12,6 +12,8 @@ from .table import class_of
 MARKS = tuple(dict.fromkeys(item.mark for item in ITEMS.values()))
 SIGNS = {"exact": "●", "good": "◕", "fair": "◑", "wrong": "○"}
 CORNERS = "Coulomb at corners"
+KINDS = {"mechanics": "Engines for robots and mechanics", "games": "Engines for games", "gpu": "Engines for GPUs, here on a processor,"}
+OURS = "With friction of whole faces, by the authors of this page"
 # A block that sank by half its height was not held, m.
 FALLS = 0.05
 # Where a body stops tells less than how far it came.
@@ -22,11 +24,11 @@ class Row:
     """An engine in one setting."""
 
     def __init__(self, results, run):
-        self.version, self.licence, self.is_for_gpus = results["version"], results["licence"], results["gpu"]
+        self.version, self.licence, self.kind = results["version"], results["licence"], results["kind"]
         self.setting, self.options, self.cannot = run["setting"], run["options"], run["cannot"]
         self.engine = self.options.get("engine", results["engine"])
         self.cases = run["cases"]
-        self.is_ours, self.is_full = "tribos" in results["adapter"], results.get("only") is None
+        self.is_ours, self.is_full = "tribos" in self.engine.lower(), results.get("only") is None
         costs = [case["cost"] for case in self.cases if case["cost"]]
         self.cost = statistics.median(costs) if costs else math.nan
 
@@ -54,6 +56,10 @@ class Row:
         medians = [self.median(mark) for mark in MARKS]
         some = [min(wrong, 1.0) for wrong in medians if wrong is not None]
         return statistics.mean(some) if some else math.nan
+
+    def rank(self):
+        """Engines that can show fewer marks come last."""
+        return sum(self.median(mark) is None for mark in MARKS), self.overall()
 
     def count(self):
         """Cases that were played, and those of them that failed."""
@@ -109,9 +115,9 @@ def best_of(rows):
     """Each engine's setting of the least overall error."""
     engines = {}
     for row in rows:
-        if row.engine not in engines or row.overall() < engines[row.engine].overall():
+        if row.engine not in engines or row.rank() < engines[row.engine].rank():
             engines[row.engine] = row
-    return sorted(engines.values(), key=lambda row: row.overall())
+    return sorted(engines.values(), key=Row.rank)
 
 
 def head(columns):
@@ -122,9 +128,7 @@ def marks_table(rows):
     lines = head(["engine", "setting", *MARKS, "error", "cost", "cases"])
     for row in rows:
         cells = [cell(row, mark) for mark in MARKS]
-        lines.append(
-            f"| {row.engine}{' ²' if row.is_ours else ''} | {row.setting} | {' | '.join(cells)} | {short(100 * row.overall())} % | {row.cost:.2g} | {row.count()} |"
-        )
+        lines.append(f"| {row.engine} | {row.setting} | {' | '.join(cells)} | {short(100 * row.overall())} % | {row.cost:.2g} | {row.count()} |")
     return lines
 
 
@@ -166,20 +170,25 @@ def text(results, rows, missing):
     yield (
         "Each mark has the median over its cases of the worst quantity of each; *error* is the mean of the five, creep as a part of 1 m/s. *Cost*: processor time "
         "over simulated time, median over the cases, one scene at a time, the language's call included. ● within 0.1 % (holds: 1 µm/s), ◕ 1 % (0.1 mm/s), "
-        "◑ 10 % (1 cm/s), ○ beyond; – not to be had. Best is the best of the settings that were tried. ¹ One case of each item. ² By the authors of this "
-        "page, its patches chosen by hand. `friction-answers list` has the problems.\n"
+        "◑ 10 % (1 cm/s), ○ beyond; – not to be had. Best is the best of the settings that were tried. ¹ One case of each item. Engines without one of "
+        "the marks come last. `friction-answers list` has the problems.\n"
     )
     first = {}
     for row in rows:
         first.setdefault(row.engine, row)
-    plain = sorted((row for row in first.values() if not row.is_ours and row.engine != CORNERS), key=lambda row: row.overall())
+    plain = sorted((row for row in first.values() if row.engine != CORNERS), key=Row.rank)
     for title, shown in (("at their best", best), ("as they come", plain)):
-        for kind, of_gpus in (("Engines", False), ("Engines for GPUs, here on a processor,", True)):
-            some = [row for row in shown if row.is_for_gpus == of_gpus]
+        for kind, name in KINDS.items():
+            some = [row for row in shown if row.kind == kind and not row.is_ours]
             if some:
-                yield f"## {kind} {title}\n"
+                yield f"## {name} {title}\n"
                 yield from marks_table(some)
                 yield ""
+    ours = [row for row in best if row.is_ours]
+    if ours:
+        yield f"## {OURS}\n"
+        yield from marks_table(ours)
+        yield ""
     best = [row for row in best if row.engine != CORNERS]
     yield "## What to set\n"
     for row in best:

@@ -40,7 +40,7 @@ def scatter(rows):
         y = py(10.0 ** (power - 2))
         out.append(f'<path d="M{LEFT} {y:.1f}H{WIDTH - RIGHT}" stroke="#dddddd"/><text x="{LEFT - 6}" y="{y + 4:.1f}" text-anchor="end">{10.0**power:g} %</text>')
     out.append(f'<text x="{(LEFT + WIDTH) / 2}" y="{HEIGHT - 14}" text-anchor="middle">processor time over simulated time, one scene</text>')
-    out.append(f'<text transform="translate(16 {HEIGHT / 2}) rotate(-90)" text-anchor="middle">error: mean of the five marks</text>')
+    out.append(f'<text transform="translate(16 {HEIGHT / 2}) rotate(-90)" text-anchor="middle">error: mean of the five marks (hollow: of those it has)</text>')
     taken = []
     for i, engine in enumerate(dict.fromkeys(row.engine for row, _, _ in points)):
         colour = COLOURS[i % len(COLOURS)]
@@ -48,9 +48,8 @@ def scatter(rows):
         path = " ".join(f"{px(x):.1f},{py(y):.1f}" for x, y, _ in own)
         out.append(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-opacity="0.5"/>')
         for x, y, row in own:
-            out.append(
-                f'<g fill="{colour}"><title>{escape(f"{engine}, {row.setting}: {100 * y:.2g} %, cost {x:.2g}")}</title>{mark(px(x), py(y), i // len(COLOURS))}</g>'
-            )
+            paint = f'fill="none" stroke="{colour}" stroke-width="2"' if row.rank()[0] else f'fill="{colour}"'
+            out.append(f"<g {paint}><title>{escape(f'{engine}, {row.setting}: {100 * y:.2g} %, cost {x:.2g}')}</title>{mark(px(x), py(y), i // len(COLOURS))}</g>")
         x, y, _ = min(own, key=lambda point: point[1])
         out.append(name(engine, px(x), py(y), colour, taken))
     return "\n".join([*out, "</svg>"]) + "\n"

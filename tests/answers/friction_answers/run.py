@@ -13,23 +13,33 @@ from pathlib import Path
 from .answers import ANSWERS, DOUBLE
 from .cases import drawn, standard
 from .items import ITEMS
+from .library import engine as library
 from .scene import Unsupported
 from .table import answers, class_of, corners, error
+
+OWN = (".py", ".so", ".dylib", ".dll")
 
 
 def adapter(name):
     """The module of an engine: one of the package's, or a path to one's own."""
-    if name.endswith(".py"):
+    if Path(name).suffix in OWN:
         if not Path(name).is_file():
             raise Refused(f"there is no file {name}")
+        if Path(name).suffix != ".py":
+            try:
+                return library(str(Path(name).resolve()))
+            except (OSError, AttributeError, ValueError, KeyError) as error:
+                raise Refused(f"{name} has not the functions of engine.h: {error}") from error
         spec = importlib.util.spec_from_file_location("friction_answers.adapters.own", name)
         module = importlib.util.module_from_spec(spec)
         sys.modules[spec.name] = module
         spec.loader.exec_module(module)
         return module
     known = sorted(path.stem for path in (Path(__file__).parent / "adapters").glob("*.py") if path.stem not in ("__init__", "template"))
+    if any((Path(__file__).parent / "adapters").glob(f"{name}.c*")):
+        raise Refused(f"{name} is built from its sources: `friction-answers all --engines {name}`, or run the library that adapters/CMakeLists.txt makes")
     if name not in known:
-        raise Refused(f"no engine {name}; there are {', '.join(known)}, or a file of your own that ends in .py")
+        raise Refused(f"no engine {name}; there are {', '.join(known)}, or a file of your own that ends in {', '.join(OWN)}")
     try:
         return importlib.import_module(f"friction_answers.adapters.{name}")
     except ImportError as error:
@@ -43,8 +53,6 @@ class Refused(Exception):
 def cases_of(item, seed):
     """Case name -> parameters and answers: the standard ones, or one drawn by a seed."""
     if seed is not None:
-        if item not in ANSWERS:
-            return {}
         case = drawn(item, seed)
         return {f"seed {seed}": (case, ANSWERS[item](case, DOUBLE))}
     exact = answers()
@@ -113,8 +121,7 @@ def run(name, settings=(), items=(), seed=None, only=None, told=lambda text: Non
             raise Refused(f"{name} has no setting {setting}; there are {', '.join(engine.SETTINGS)}")
     by_corners = corners()
     results = {
-        "engine": engine.NAME, "version": engine.VERSION, "licence": engine.LICENCE, "adapter": name, "seed": seed, "only": only,
-        "gpu": getattr(engine, "IS_FOR_GPUS", False),
+        "engine": engine.NAME, "version": engine.VERSION, "licence": engine.LICENCE, "kind": engine.KIND, "adapter": name, "seed": seed, "only": only,
         "machine": {"system": platform.platform(), "processor": processor(), "cores": os.cpu_count(), "python": platform.python_version()},
         "runs": [],
     }  # fmt: skip
@@ -122,8 +129,6 @@ def run(name, settings=(), items=(), seed=None, only=None, told=lambda text: Non
         runs = {"setting": setting, "options": engine.SETTINGS[setting], "cases": [], "cannot": {}}
         for item in (ITEMS[name] for name in items or ITEMS):
             cases = cases_of(item.name, seed)
-            if not cases:
-                runs["cannot"][item.name] = "it has no random cases"
             for case_name in list(cases)[-1:] if only == "last" else [case for case in cases if only in (None, case)]:
                 case, exact = cases[case_name]
                 points = by_corners.get((item.name, case_name), {})

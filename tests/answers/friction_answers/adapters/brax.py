@@ -15,8 +15,7 @@ from . import mujoco
 # A scene takes longer to compile than to run.
 jax.config.update("jax_compilation_cache_dir", str(Path(tempfile.gettempdir()) / "friction_answers_jax"))
 jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.5)
-IS_FOR_GPUS = True
-NAME, VERSION, LICENCE = "Brax", brax.__version__, "Apache-2.0"
+NAME, VERSION, LICENCE, KIND = "Brax", brax.__version__, "Apache-2.0", "gpu"
 SETTINGS = {
     "default": {"dt": 5e-3, "pipeline": "generalized"},
     "generalized, small steps": {"dt": 1e-3, "pipeline": "generalized"},

@@ -7,7 +7,7 @@ import pybullet as bullet
 
 from ..scene import FOOT, sum_of
 
-NAME, VERSION, LICENCE = "Bullet", version("pybullet"), "Zlib"
+NAME, VERSION, LICENCE, KIND = "Bullet", version("pybullet"), "Zlib", "games"
 SETTINGS = {
     "default": {"dt": 1 / 240, "residual": 1e-7, "anchor": 0},
     "steps of 1 ms, residual 0": {"dt": 1e-3, "residual": 0.0, "anchor": 0},

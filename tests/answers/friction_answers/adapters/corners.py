@@ -8,7 +8,7 @@ import math
 
 from ..scene import Unsupported
 
-NAME, VERSION, LICENCE = "Coulomb at corners", "1", "MIT OR Apache-2.0"
+NAME, VERSION, LICENCE, KIND = "Coulomb at corners", "1", "MIT OR Apache-2.0", "mechanics"
 SETTINGS = {"fine steps": {"dt": 2e-4}}
 SWEEPS, RIM = 20, 8
 

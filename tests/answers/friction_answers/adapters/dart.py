@@ -8,7 +8,7 @@ from dartpy.math import Isometry3, Quaternion
 
 from ..scene import of_origin, parts, refuse
 
-NAME, VERSION, LICENCE = "DART", version("dartpy"), "BSD-2-Clause"
+NAME, VERSION, LICENCE, KIND = "DART", version("dartpy"), "BSD-2-Clause", "mechanics"
 NSGS = {"dt": 1e-3, "solver": "NsgsFrictionSolver"}
 SETTINGS = {"default": {"dt": 1e-3}, "NSGS": NSGS}
 SETTINGS |= {f"NSGS, contacts by {name}": {**NSGS, "detector": name.upper()} for name in ("Bullet", "ODE")}

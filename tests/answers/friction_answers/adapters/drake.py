@@ -6,7 +6,7 @@ import pydrake.all as drake
 
 from ..scene import of_centre, of_origin, parts, refuse, sum_of
 
-NAME, VERSION, LICENCE = "Drake", version("drake"), "BSD-3-Clause"
+NAME, VERSION, LICENCE, KIND = "Drake", version("drake"), "BSD-3-Clause", "mechanics"
 LACKS = {"torsion": "Points have no torsional friction.", "anisotropic": "Friction is the same in all directions."}
 FINE = {"contact_surface_representation": "triangle", "stiction_tolerance": 1e-6}
 SETTINGS = {

@@ -6,8 +6,7 @@ from ..scene import Unsupported, inverse, of_centre, of_origin, rotated
 from .mujoco import geoms
 
 genesis.init(backend=genesis.cpu, logging_level="error")
-IS_FOR_GPUS = True
-NAME, VERSION, LICENCE = "Genesis", genesis.__version__, "Apache-2.0"
+NAME, VERSION, LICENCE, KIND = "Genesis", genesis.__version__, "Apache-2.0", "gpu"
 SETTINGS = {
     "default": {"dt": 1e-2},
     "signorini": {"dt": 2e-3, "friction_cone": "elliptic"},

@@ -13,8 +13,7 @@ from . import mujoco
 # A scene takes longer to compile than to run.
 jax.config.update("jax_compilation_cache_dir", str(Path(tempfile.gettempdir()) / "friction_answers_jax"))
 jax.config.update("jax_persistent_cache_min_compile_time_secs", 0.5)
-IS_FOR_GPUS = True
-NAME, VERSION, LICENCE = "MJX", version("mujoco-mjx"), "Apache-2.0"
+NAME, VERSION, LICENCE, KIND = "MJX", version("mujoco-mjx"), "Apache-2.0", "gpu"
 SETTINGS = {
     "default": {"dt": 2e-3},
     "elliptic": {"dt": 1e-3, "cone": "elliptic"},

@@ -4,7 +4,7 @@ import mujoco
 
 from ..scene import balls, inverse, of_centre, of_origin, rotated
 
-NAME, VERSION, LICENCE = "MuJoCo", mujoco.__version__, "Apache-2.0"
+NAME, VERSION, LICENCE, KIND = "MuJoCo", mujoco.__version__, "Apache-2.0", "mechanics"
 NOSLIP = {"dt": 1e-3, "cone": "elliptic", "integrator": "implicitfast", "noslip_iterations": 10}
 SETTINGS = {
     "default": {"dt": 2e-3},

@@ -8,7 +8,7 @@ import mujoco
 from ..scene import refuse
 from . import mujoco as plain
 
-NAME, VERSION, LICENCE = "MuJoCo with tribos.patch", mujoco.__version__, "MIT OR Apache-2.0"
+NAME, VERSION, LICENCE, KIND = "MuJoCo with tribos.patch", mujoco.__version__, "MIT OR Apache-2.0", "mechanics"
 SETTINGS = {"default": {"dt": 1e-3, "cone": "elliptic"}, "steps of 0.2 ms": {"dt": 2e-4, "cone": "elliptic"}}
 BUILT = Path(__file__).resolve().parents[4] / "engines" / "mujoco" / "build" / "libtribos_patch.so"
 mujoco.mj_loadPluginLibrary(os.environ.get("TRIBOS_PATCH", str(BUILT)))

@@ -12,8 +12,7 @@ import mujoco_warp  # noqa: E402
 from . import mujoco  # noqa: E402
 
 warp.set_device("cpu")
-IS_FOR_GPUS = True
-NAME, VERSION, LICENCE = "MuJoCo Warp", version("mujoco-warp"), "Apache-2.0"
+NAME, VERSION, LICENCE, KIND = "MuJoCo Warp", version("mujoco-warp"), "Apache-2.0", "gpu"
 SETTINGS = {
     "default": {"dt": 2e-3},
     "elliptic": {"dt": 1e-3, "cone": "elliptic"},

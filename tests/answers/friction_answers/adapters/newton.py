@@ -7,7 +7,7 @@ import newton  # noqa: E402
 
 from ..scene import FOOT, Unsupported, rotated, sum_of  # noqa: E402
 
-NAME, VERSION, LICENCE = "Newton", newton.__version__, "Apache-2.0"
+NAME, VERSION, LICENCE, KIND = "Newton", newton.__version__, "Apache-2.0", "gpu"
 SPARSE = newton.solvers.SolverKamino.Config(dynamics_solver="dvi", sparse_dynamics=True, sparse_jacobian=True)
 SETTINGS = {
     "default": {"dt": 1 / 600, "solver": "XPBD"},
@@ -23,7 +23,6 @@ SETTINGS = {
 }
 for one in SETTINGS.values():
     one["engine"] = f"Newton {one['solver']}"
-IS_FOR_GPUS = True
 TYPES = {"ball": "SPHERE", "feet": "SPHERE", "box": "BOX", "cylinder": "CYLINDER", "capsule": "CAPSULE"}
 
 

@@ -7,7 +7,7 @@ from panda3d import core, ode
 
 from ..scene import Unsupported, parts, refuse, rotated
 
-NAME, VERSION, LICENCE = "ODE (Panda3D)", version("panda3d"), "BSD-3-Clause"
+NAME, VERSION, LICENCE, KIND = "ODE (Panda3D)", version("panda3d"), "BSD-3-Clause", "games"
 SETTINGS = {
     "default": {"dt": 1 / 90, "cfm": 1e-5, "iterations": 20},
     "steps of 1 ms, 100 iterations, softness 1e-7": {"dt": 1e-3, "cfm": 1e-7, "iterations": 100},

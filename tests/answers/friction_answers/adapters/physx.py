@@ -7,7 +7,7 @@ from sapien import Pose, physx
 
 from ..scene import FOOT, Unsupported, sum_of
 
-NAME, VERSION, LICENCE = "PhysX (SAPIEN)", sapien.__version__, "BSD-3-Clause, SAPIEN MIT"
+NAME, VERSION, LICENCE, KIND = "PhysX (SAPIEN)", sapien.__version__, "BSD-3-Clause, SAPIEN MIT", "games"
 SETTINGS = {"default": {"dt": 1e-2}, "steps of 1/240 s": {"dt": 1 / 240}, "steps of 1 ms": {"dt": 1e-3}}
 UPRIGHT = Pose(q=(math.sqrt(0.5), 0.0, -math.sqrt(0.5), 0.0))  # planes and cylinders are about x
 

@@ -7,7 +7,7 @@ import rapier3d as rapier
 
 from ..scene import FOOT, Unsupported
 
-NAME, VERSION, LICENCE = "Rapier", version("rapier3d"), "Apache-2.0"
+NAME, VERSION, LICENCE, KIND = "Rapier", version("rapier3d"), "Apache-2.0", "games"
 COULOMB = rapier.FrictionModel.COULOMB
 # Contacts that are recycled lose a cylinder on a cylinder.
 SETTINGS = {

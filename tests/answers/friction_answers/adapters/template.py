@@ -10,7 +10,7 @@ then `--quick`.
 
 from friction_answers.scene import Unsupported  # noqa: F401
 
-NAME, VERSION, LICENCE = "my engine", "0.1", "MIT"
+NAME, VERSION, LICENCE, KIND = "my engine", "0.1", "MIT", "mechanics"  # or "games", "gpu": the table of the page
 # The engine's own defaults first, step included, then what makes it best. `dt` is the length of a step in s; other keys are yours.
 SETTINGS = {"default": {"dt": 1 / 240}}
 

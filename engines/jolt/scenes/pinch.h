@@ -1,4 +1,0 @@
-#pragma once
-
-// A capsule that two pads pinch under gravity: prints its creep as a line of CSV.
-void PrintCapsuleCreep();

@@ -1,0 +1,49 @@
+// An engine as a shared library: what `friction-answers run ./libmy_engine.so` calls. SI units, z upwards, axes of the world.
+// Fill in the eight functions. Restitution, damping and sleep are off; friction between any two bodies is `mu`.
+#pragma once
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum fa_kind { FA_BOX, FA_CYLINDER, FA_BALL, FA_CAPSULE, FA_FEET };
+
+typedef struct fa_body
+{
+	// Box: half sides along x, y, z. Cylinder: radius, half its height along z. Ball: radius. Capsule: radius, half the length of its straight part along x.
+	// Feet: x and y of each of three balls of 1 cm radius in the plane z = 0 of the body. All about the body's origin.
+	int kind;
+	int is_driven; // moves with the velocity and spin that fa_set gives it before every step, whatever it touches
+	int is_rim;    // a cylinder that stands on the thin rim of its face
+	double sizes[6];
+	double place[3], pose[4]; // of the body's origin, m; quaternion w, x, y, z
+	double mass, inertia[3], com[3]; // kg; principal moments about the centre of mass, kg m^2; centre of mass in the body, m
+} fa_body;
+
+typedef struct fa_scene
+{
+	double mu, mu_across; // along x and y of the bodies; mu_across is negative where all directions are alike
+	double torsion;       // largest torsion torque over normal force, m; 0 where points resist no spin
+	double gravity[3], dt; // m/s^2; length of a step, s
+	int has_floor;        // at z = 0
+	int setting;          // which of fa_about's, from 0
+	int count;
+	const fa_body *bodies;
+} fa_scene;
+
+// {"name": …, "version": …, "licence": …, "kind": "games", "mechanics" or "gpu", "settings": {name: {"dt": s, any other options}}}: the engine's own defaults first.
+const char *fa_about(void);
+// A world, or NULL and a sentence in `why` about what the engine has not.
+void *fa_make(const fa_scene *scene, const char **why);
+void fa_drop(void *world);
+// Velocity of the centre of mass, m/s, and spin, rad/s. Of driven bodies, it is called anew before every step.
+void fa_set(void *world, int body, const double velocity[3], const double spin[3]);
+void fa_step(void *world);
+// Centre of mass, quaternion w, x, y, z, velocity of the centre of mass, spin.
+void fa_state(void *world, int body, double state[13]);
+void fa_gravity(void *world, const double gravity[3]);
+// On a centre of mass in the next step, N.
+void fa_force(void *world, int body, const double force[3]);
+
+#ifdef __cplusplus
+}
+#endif
