@@ -155,14 +155,10 @@ pub mod c {
     }
 
     #[expect(unsafe_code, reason = "engine.h hands over pointers")]
-    pub fn make<E: Engine>(scene: *const CScene, why: *mut *const c_char) -> *mut c_void {
-        // SAFETY: both point to what the caller holds during the call, the bodies to `count` of them.
-        let (given, bodies, why) = unsafe {
-            let given = &*scene;
-            let count = usize::try_from(given.count).unwrap_or(0);
-            let bodies = core::slice::from_raw_parts(given.bodies, count);
-            (given, bodies, &mut *why)
-        };
+    pub fn make<E: Engine>(given: &CScene, why: &mut *const c_char) -> *mut c_void {
+        let count = usize::try_from(given.count).unwrap_or(0);
+        // SAFETY: the caller holds this many bodies during the call.
+        let bodies = unsafe { core::slice::from_raw_parts(given.bodies, count) };
         let made = if given.torsion > 0.0 {
             Err(c"Contacts have no torsional friction.")
         } else if given.mu_across >= 0.0 {
@@ -222,7 +218,7 @@ macro_rules! export {
                 <$engine>::ABOUT.as_ptr()
             }
             #[unsafe(no_mangle)]
-            extern "C" fn fa_make(scene: *const c::CScene, why: *mut *const c_char) -> *mut c_void {
+            extern "C" fn fa_make(scene: &c::CScene, why: &mut *const c_char) -> *mut c_void {
                 c::make::<$engine>(scene, why)
             }
             #[unsafe(no_mangle)]

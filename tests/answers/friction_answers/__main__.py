@@ -43,13 +43,16 @@ def played(args):
     def told(text):
         print(text, file=sys.stderr, flush=True)
 
+    def kept(results):
+        if args.out:
+            written(args.out, json.dumps(results, indent=1, default=str))
+
     try:
-        results = run(args.engine, args.setting, args.items, args.seed, "last" if args.quick else args.case, told)
+        results = run(args.engine, args.setting, args.items, args.seed, "last" if args.quick else args.case, told, kept)
     except Refused as reason:
         sys.exit(f"friction-answers: {reason}")
     summary(results)
     if args.out:
-        written(args.out, json.dumps(results, indent=1, default=str))
         print(f"written to {args.out}")
     if not any(case["rows"] for one in results["runs"] for case in one["cases"]):
         sys.exit("friction-answers: no case gave a result")
@@ -143,7 +146,7 @@ def all_run(args):
     unknown = [name for name in args.engines if name not in ENGINES]
     if unknown:
         sys.exit(f"no engine {unknown[0]}; there are {', '.join(ENGINES)}")
-    everything(Path(args.out), args.engines, args.quick, lambda text: print(text, file=sys.stderr, flush=True))
+    everything(Path(args.out), args.engines, args.also, args.quick, lambda text: print(text, file=sys.stderr, flush=True))
 
 
 def written(path, text):
@@ -182,7 +185,8 @@ def main():
     one.add_argument("--out", required=True, help="folder")
     one.set_defaults(do=paged)
     one = commands.add_parser("all", help="install every engine beside the results, run it, and make the page")
-    one.add_argument("--engines", nargs="+", default=[], metavar="ENGINE")
+    one.add_argument("--engines", nargs="+", default=[], metavar="ENGINE", help="these alone; none of them with --engines corners")
+    one.add_argument("--also", nargs="+", default=[], metavar="ENGINE", help="as for run, with this Python: your own beside them")
     one.add_argument("--quick", action="store_true", help="one case of each item")
     one.add_argument("--out", required=True, help="folder")
     one.set_defaults(do=all_run)

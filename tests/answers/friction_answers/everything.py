@@ -10,9 +10,10 @@ import venv
 from pathlib import Path
 
 from .cases import DATA
-from .page import page
+from .page import Row, best_of, page
 
 PACKAGE = Path(__file__).resolve().parent
+SEED = 1  # of the random cases on which the best settings are tried again
 # Adapter -> what pip installs; the versions of the published page.
 ENGINES = {
     "corners": [],
@@ -40,23 +41,27 @@ SOURCES = {
 }
 
 
-def everything(out, names, quick, told):
-    """Runs the engines of these names, all without any, and writes the page into a folder; results of the same cases that are there already are kept."""
+def everything(out, names, own, quick, told):
+    """Runs the engines of these names, all without any, and one's own, and writes the page into a folder; results of the same cases that are there are kept."""
     out.mkdir(parents=True, exist_ok=True)
     missing, alone = {}, package(out / "engines" / "package")
-    for name in names or ENGINES:
-        results = out / f"{name}.json"
+    for name in [*(names or ENGINES), *own]:
+        results = out / f"{Path(name).stem}.json"
         if results.exists() and (json.loads(results.read_text()).get("only") == "last") == quick:
             told(f"{name}: kept {results}")
             continue
         began = time.monotonic()
         try:
-            python = environment(out / "engines" / name, ENGINES[name])
+            python = sys.executable if name in own else environment(out / "engines" / name, ENGINES[name])
             engine = built(name, out / "engines" / name, alone) if name in SOURCES else name
-            words = [python, "-m", PACKAGE.name, "run", engine, "--out", results, *(["--quick"] if quick else [])]
-            ran = subprocess.run(words, capture_output=True, text=True, env=os.environ | {"PYTHONPATH": str(alone)})
-            if ran.returncode:
-                missing[name] = (ran.stderr.strip().splitlines() or ["it fails"])[-1]
+            paths = [str(alone), *([os.environ.get("PYTHONPATH", "")] if name in own else [])]
+            environ = os.environ | {"PYTHONPATH": os.pathsep.join(paths)}
+            run = [python, "-m", PACKAGE.name, "run", engine]
+            ran([*run, "--out", results, *(["--quick"] if quick else [])], environ)
+            best = [word for row in best_settings(results) for word in ("--setting", row.setting)]
+            ran([*run, "--out", results.with_suffix(".random.json"), "--seed", str(SEED), *best], environ)
+        except Failed as failure:
+            missing[name] = str(failure)
         except (subprocess.CalledProcessError, OSError) as failure:
             missing[name] = f"not installed: {failure}"
         told(f"{name}: {missing.get(name, 'done')}, {(time.monotonic() - began) / 60:.1f} min")
@@ -64,6 +69,23 @@ def everything(out, names, quick, told):
     if not found:
         sys.exit("no engine ran")
     page(found, out, missing)
+
+
+class Failed(Exception):
+    """The last line of what a process said."""
+
+
+def ran(words, environ):
+    """Settings that were run before the engine stopped are kept."""
+    said = subprocess.run(words, capture_output=True, text=True, env=environ)
+    if said.returncode:
+        last = (said.stderr.strip().splitlines() or [""])[-1]
+        raise Failed(f"it stops with {said.returncode}: {last}")
+
+
+def best_settings(path):
+    results = json.loads(path.read_text())
+    return best_of([Row(results, run) for run in results["runs"]])
 
 
 def package(folder):
@@ -80,7 +102,7 @@ def built(name, folder, alone):
     source, build = folder / "source", folder / "build"
     library = build / f"lib{name}_answers{'.dylib' if sys.platform == 'darwin' else '.so'}"
     cmake, options = folder / "bin" / "cmake", [f"-DENGINE={name}", f"-DSOURCE={source.resolve()}", "-DCMAKE_BUILD_TYPE=Release"]
-    for words in [] if library.exists() else [
+    for words in [
         *([] if source.exists() else [["git", "clone", "--quiet", "--filter=blob:none", "--no-checkout", url, source]]),
         ["git", "-C", source, "checkout", "--quiet", commit, "--", *paths],
         [cmake, "-S", alone / PACKAGE.name / "adapters", "-B", build, *options],

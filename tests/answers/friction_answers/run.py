@@ -113,8 +113,8 @@ class Timed:
         self.steps += 1
 
 
-def run(name, settings=(), items=(), seed=None, only=None, told=lambda text: None):
-    """Results of an engine, as JSON has them; `only` is the name of a case, or "last" for one of each item."""
+def run(name, settings=(), items=(), seed=None, only=None, told=lambda text: None, kept=lambda results: None):
+    """Results of an engine, as JSON has them; `only` is the name of a case, or "last" for one of each item. `kept` gets them after each setting."""
     engine = adapter(name)
     for setting in settings:
         if setting not in engine.SETTINGS:
@@ -146,6 +146,7 @@ def run(name, settings=(), items=(), seed=None, only=None, told=lambda text: Non
                 runs["cases"].append({"item": item.name, "mark": item.mark, "case": case_name, "rows": rows, "cost": cost})
                 told(f"{engine.NAME}, {setting}: {item.name} {case_name}, {time.perf_counter() - began:.1f} s")
         results["runs"].append(runs)
+        kept(results)
     return results
 
 
