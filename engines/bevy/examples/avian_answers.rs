@@ -17,7 +17,14 @@ const GROUND: f32 = 0.5;
 /// Radius of the patch of a foot, in m: a point.
 const POINT: f32 = 1e-4;
 /// Substeps of the settings, and whether they have patches.
-const SETTINGS: [(u32, bool); 5] = [(6, false), (12, false), (6, true), (6, true), (12, true)];
+const SETTINGS: [(u32, bool); 6] = [
+    (6, false),
+    (12, false),
+    (12, false),
+    (6, true),
+    (6, true),
+    (12, true),
+];
 
 struct Avian {
     app: App,
@@ -45,7 +52,7 @@ fn patches(body: &Body, mu: f32) -> Option<FrictionPatch> {
         // On its side.
         Shape::Cylinder(_, half, _) => FrictionPatch::bar(mu, half as f32)
             .ok()?
-            .oriented(Dir3::Z, Dir3::Y)
+            .oriented(Dir3::NEG_Z, Dir3::Y)
             .ok(),
         _ => None,
     }
@@ -115,6 +122,7 @@ impl Avian {
 impl Engine for Avian {
     const ABOUT: &CStr = c"{\"name\": \"Avian\", \"version\": \"0.7\", \"licence\": \"MIT OR Apache-2.0\", \"kind\": \"games\", \"settings\": {\
         \"default\": {\"dt\": 0.015625, \"substeps\": 6}, \
+        \"240 Hz, 12 substeps\": {\"dt\": 0.004166666666666667, \"substeps\": 12}, \
         \"1 ms, 12 substeps\": {\"dt\": 0.001, \"substeps\": 12}, \
         \"tribos-bevy\": {\"engine\": \"Avian with tribos\", \"dt\": 0.015625, \"substeps\": 6}, \
         \"tribos-bevy, 240 Hz\": {\"engine\": \"Avian with tribos\", \"dt\": 0.004166666666666667, \"substeps\": 6}, \

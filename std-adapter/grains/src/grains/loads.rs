@@ -115,12 +115,12 @@ impl Loads {
                 match (scene.pressure(axis), scene.velocity(axis)) {
                     (Some(stress), _) => AxisLoad::Stress(stress.clone()),
                     (None, Some(speed)) => AxisLoad::Speed(speed.clone()),
-                    (None, None) if axis == Axis::Z && scene.compression().is_some() => {
-                        let length = layout.space.lengths()[2].unwrap_or(0.0);
-                        let rate = scene.compression().unwrap_or(0.0);
-                        AxisLoad::Speed((-rate * length).into())
-                    }
-                    (None, None) => AxisLoad::Fixed,
+                    (None, None) => match (axis, scene.compression(), layout.space.lengths()[2]) {
+                        (Axis::Z, Some(rate), Some(length)) => {
+                            AxisLoad::Speed((-rate * length).into())
+                        }
+                        _ => AxisLoad::Fixed,
+                    },
                 }
             }),
             drive: [
