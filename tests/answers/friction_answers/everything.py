@@ -10,10 +10,10 @@ import venv
 from pathlib import Path
 
 from .cases import DATA
-from .page import Row, best_of, page
+from .page import page
 
 PACKAGE = Path(__file__).resolve().parent
-SEED = 1  # of the random cases on which the best settings are tried again
+SEED = 1  # of the random cases
 # Adapter -> what pip installs; the versions of the published page.
 ENGINES = {
     "corners": [],
@@ -58,8 +58,7 @@ def everything(out, names, own, quick, told):
             environ = os.environ | {"PYTHONPATH": os.pathsep.join(paths)}
             run = [python, "-m", PACKAGE.name, "run", engine]
             ran([*run, "--out", results, *(["--quick"] if quick else [])], environ)
-            best = [word for row in best_settings(results) for word in ("--setting", row.setting)]
-            ran([*run, "--out", results.with_suffix(".random.json"), "--seed", str(SEED), *best], environ)
+            ran([*run, "--out", results.with_suffix(".random.json"), "--seed", str(SEED)], environ)
         except Failed as failure:
             missing[name] = str(failure)
         except (subprocess.CalledProcessError, OSError) as failure:
@@ -81,11 +80,6 @@ def ran(words, environ):
     if said.returncode:
         last = (said.stderr.strip().splitlines() or [""])[-1]
         raise Failed(f"it stops with {said.returncode}: {last}")
-
-
-def best_settings(path):
-    results = json.loads(path.read_text())
-    return best_of([Row(results, run) for run in results["runs"]])
 
 
 def package(folder):

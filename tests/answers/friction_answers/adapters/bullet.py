@@ -11,6 +11,7 @@ NAME, VERSION, LICENCE, KIND = "Bullet", version("pybullet"), "Zlib", "games"
 SETTINGS = {
     "default": {"dt": 1 / 240, "residual": 1e-7, "anchor": 0},
     "steps of 1 ms, residual 0": {"dt": 1e-3, "residual": 0.0, "anchor": 0},
+    "steps of 1 ms, residual 0, 150 iterations": {"dt": 1e-3, "residual": 0.0, "anchor": 0, "iterations": 150},
     "friction anchors, steps of 1 ms, residual 0": {"dt": 1e-3, "residual": 0.0, "anchor": 1},
 }
 FREE = {"linearDamping": 0.0, "angularDamping": 0.0, "maxJointVelocity": 1e4}  # the last one bounds spin, too
@@ -35,7 +36,8 @@ class Simulator:
         if not bullet.isConnected():
             bullet.connect(bullet.DIRECT)
         bullet.resetSimulation()
-        bullet.setPhysicsEngineParameter(fixedTimeStep=dt, solverResidualThreshold=setting["residual"])
+        iterations = setting.get("iterations", 50)
+        bullet.setPhysicsEngineParameter(fixedTimeStep=dt, solverResidualThreshold=setting["residual"], numSolverIterations=iterations)
         self.gravity(scene.gravity)
         self.dt, self.driven, self.bodies = dt, {}, []
         # Coefficients of both bodies are multiplied: that of torsion, too, with that of friction of the other one.

@@ -31,7 +31,7 @@ SHAPES = {
 class Simulator:
     def __init__(self, scene, setting, dt):
         refuse(scene, LACKS)
-        self.scene, self.dt, self.steps, self.bodies, self.forces = scene, dt, 0, [], {}
+        self.scene, self.dt, self.steps, self.bodies, self.planes, self.forces = scene, dt, 0, [], {}, {}
         builder = drake.DiagramBuilder()
         config = drake.MultibodyPlantConfig(time_step=dt, **setting["config"])
         self.plant, _ = drake.AddMultibodyPlant(config, builder)
@@ -44,7 +44,12 @@ class Simulator:
             made = self.plant.AddRigidBody(body.name, group, inertia)
             self.attach(made, parts(body.shape, **SHAPES), setting, body.is_driven)
             self.plant.set_gravity_enabled(group, not body.is_driven)
-            self.plant.SetDefaultFloatingBaseBodyPose(made, place_of(body.place, body.pose))
+            at = place_of(body.place, body.pose)
+            if body.is_driven:  # in its plane, or it sinks and tilts by more than faces press in
+                frame = self.plant.AddFrame(drake.FixedOffsetFrame(body.name, self.plant.world_frame(), at))
+                self.planes[len(self.bodies)] = self.plant.AddJoint(drake.PlanarJoint(body.name, frame, made.body_frame(), (0.0,) * 3))
+            else:
+                self.plant.SetDefaultFloatingBaseBodyPose(made, at)
             self.bodies.append(made)
         self.plant.Finalize()
         self.clock = drake.Simulator(builder.Build())
@@ -62,6 +67,9 @@ class Simulator:
             self.plant.RegisterCollisionGeometry(body, place_of(place, q), shape, f"{body.name()}{i}", made)
 
     def set(self, body, velocity, spin):
+        if body in self.planes:
+            self.planes[body].set_translational_velocity(self.context, velocity[:2])
+            return self.planes[body].set_angular_velocity(self.context, spin[2])
         motion = drake.SpatialVelocity(spin, of_origin(self.state(body)[1], velocity, spin, self.scene.bodies[body].com))
         self.plant.SetFreeBodySpatialVelocity(self.context, self.bodies[body], motion)
 

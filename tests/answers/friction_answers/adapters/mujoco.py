@@ -11,10 +11,12 @@ SETTINGS = {
     "elliptic": {"dt": 1e-3, "cone": "elliptic"},
     "elliptic, implicitfast, noslip": NOSLIP,
     "elliptic, implicitfast, noslip, solref 0.005": NOSLIP | {"solref": "0.005 1"},
+    "elliptic, implicitfast, noslip, solref 0.005 2": NOSLIP | {"solref": "0.005 2"},
+    "elliptic, implicitfast, noslip, solref 0.005 2, converged": NOSLIP | {"solref": "0.005 2", "tolerance": 1e-12, "iterations": 200},
     "elliptic, steps of 0.2 ms": {"dt": 2e-4, "cone": "elliptic"},
     "elliptic, stiff, noslip": {"dt": 2e-4, "cone": "elliptic", "impratio": 100, "noslip_iterations": 10, "solref": "0.0005 1"},
 }
-PLAIN = ("cone", "impratio", "noslip_iterations", "integrator")
+PLAIN = ("cone", "impratio", "noslip_iterations", "integrator", "tolerance", "iterations")
 
 
 def geoms(shape, friction):

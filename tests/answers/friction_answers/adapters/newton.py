@@ -14,11 +14,13 @@ SETTINGS = {
     "small steps": {"dt": 1 / 2400, "solver": "XPBD", "iterations": 20},
     "VBD": {"dt": 1 / 600, "solver": "VBD"},
     "VBD, small steps": {"dt": 1 / 2400, "solver": "VBD", "friction_epsilon": 1e-4},
+    "VBD, stiff contacts": {"dt": 1 / 2400, "solver": "VBD", "friction_epsilon": 1e-4, "shape": {"ke": 1e6, "kd": 0.0}},
     "Kamino": {"dt": 1 / 600, "solver": "Kamino"},
     "MuJoCo": {"dt": 1 / 600, "solver": "MuJoCo"},
     "MuJoCo, elliptic": {"dt": 1 / 600, "solver": "MuJoCo", "cone": "elliptic", "impratio": 100.0},
     "Steel": {"dt": 1 / 600, "solver": "Steel"},
     "SemiImplicit": {"dt": 1 / 2400, "solver": "SemiImplicit", "angular_damping": 0.0},
+    "SemiImplicit, stiff": {"dt": 1 / 2400, "solver": "SemiImplicit", "angular_damping": 0.0, "shape": {"ke": 1e5, "kd": 200.0, "kf": 1e4}},
     "Featherstone": {"dt": 1 / 2400, "solver": "Featherstone", "angular_damping": 0.0},
 }
 for one in SETTINGS.values():
@@ -28,7 +30,7 @@ TYPES = {"ball": "SPHERE", "feet": "SPHERE", "box": "BOX", "cylinder": "CYLINDER
 
 class Simulator:
     def __init__(self, scene, setting, dt):
-        solver, options = setting["solver"], {key: setting[key] for key in setting if key not in ("dt", "solver", "engine")}
+        solver, options = setting["solver"], {key: setting[key] for key in setting if key not in ("dt", "solver", "engine", "shape")}
         if solver == "Kamino":
             options["config"] = SPARSE
         make = getattr(newton.solvers, f"Solver{solver}")
@@ -36,7 +38,7 @@ class Simulator:
             raise Unsupported("Newton has one coefficient for all directions, and torsion only in XPBD and MuJoCo.")
         builder = newton.ModelBuilder(gravity=scene.gravity)
         make.register_custom_attributes(builder)
-        vars(builder.default_shape_cfg).update(mu=scene.mu, mu_torsional=scene.torsion, mu_rolling=0.0)
+        vars(builder.default_shape_cfg).update(mu=scene.mu, mu_torsional=scene.torsion, mu_rolling=0.0, **setting.get("shape", {}))
         more = {"mujoco:condim": 4} if scene.torsion and solver == "MuJoCo" else {}
         if scene.has_floor:
             builder.add_ground_plane()

@@ -9,6 +9,7 @@ from ..scene import FOOT, Unsupported, sum_of
 
 NAME, VERSION, LICENCE, KIND = "PhysX (SAPIEN)", sapien.__version__, "BSD-3-Clause, SAPIEN MIT", "games"
 SETTINGS = {"default": {"dt": 1e-2}, "steps of 1/240 s": {"dt": 1 / 240}, "steps of 1 ms": {"dt": 1e-3}}
+SETTINGS |= {"steps of 2 ms, no velocity iterations": {"dt": 2e-3, "solver_velocity_iterations": 0}}
 UPRIGHT = Pose(q=(math.sqrt(0.5), 0.0, -math.sqrt(0.5), 0.0))  # planes and cylinders are about x
 
 
@@ -41,6 +42,7 @@ class Simulator:
                 shape.min_patch_radius = scene.torsion / scene.mu
             made.mass, made.inertia, made.cmass_local_pose = body.mass, body.inertia, Pose(body.com)
             made.linear_damping = made.angular_damping = made.sleep_threshold = 0.0
+            made.solver_velocity_iterations = setting.get("solver_velocity_iterations", 1)
             made.max_angular_velocity, made.kinematic = 1e4, body.is_driven
             self.bodies.append(made)
 
