@@ -59,7 +59,8 @@ static b3BodyId add_body( b3WorldId world, const fa_body *body, b3BodyType type,
 
 const char *fa_about( void )
 {
-	return "{\"name\": \"" ANSWERS_NAME "\", \"version\": \"30c67b5e\", \"licence\": \"MIT\", \"kind\": \"games\", \"settings\": {\"default\": {\"dt\": 0.016666666666666666, \"substeps\": 4},"
+	return "{\"name\": \"" ANSWERS_NAME "\", \"version\": \"30c67b5e\", \"licence\": \"MIT\", \"kind\": \"games\", \"settings\": {"
+		   "\"default\": {\"dt\": 0.016666666666666666, \"substeps\": 4},"
 		   "\"240 Hz\": {\"dt\": 0.004166666666666667, \"substeps\": 4}, \"1 ms, 8 substeps, no recycling\": {\"dt\": 0.001, \"substeps\": 8}}}";
 }
 

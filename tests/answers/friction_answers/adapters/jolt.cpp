@@ -105,7 +105,8 @@ Simulation &At(void *inWorld) { return *static_cast<Simulation *>(inWorld); }
 
 const char *fa_about()
 {
-	return "{\"name\": \"" ANSWERS_NAME "\", \"version\": \"3b47ec39\", \"licence\": \"MIT\", \"kind\": \"games\", \"settings\": {\"default\": {\"dt\": 0.016666666666666666},"
+	return "{\"name\": \"" ANSWERS_NAME "\", \"version\": \"3b47ec39\", \"licence\": \"MIT\", \"kind\": \"games\", \"settings\": {"
+		   "\"default\": {\"dt\": 0.016666666666666666},"
 		   "\"240 Hz\": {\"dt\": 0.004166666666666667}, \"1 ms, 50 iterations\": {\"dt\": 0.001, \"velocity\": 50, \"position\": 5}}}";
 }
 

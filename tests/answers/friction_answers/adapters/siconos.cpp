@@ -1,8 +1,11 @@
-// Siconos at 6070f0f6 with Debian's Bullet. Needs gfortran, LAPACKE, OpenBLAS, SuiteSparse, Boost from 1.75 on, Eigen, nlohmann-json; a quarter of an hour:
-// cmake -S SICONOS -B BUILD -DCMAKE_BUILD_TYPE=Release -DUSER_OPTIONS_FILE=OPTIONS, cmake --build BUILD; OPTIONS sets COMPONENTS to
-// externals numerics kernel mechanics, WITH_BULLET on, and WITH_PYB11_WRAPPER, WITH_TESTING, WITH_DOCUMENTATION, WITH_MUMPS off
-// g++ -std=c++20 -O2 -shared -fPIC -I friction_answers and the include folders and definitions of siconos_mechanics, siconos.cpp -o libsiconos_answers.so
+// Siconos at 6070f0f6 with Debian's Bullet. Needs gfortran, LAPACKE, OpenBLAS, SuiteSparse, Boost from 1.75 on, Eigen, nlohmann-json; a quarter of
+// an hour:
+// cmake -S SICONOS -B BUILD -DCMAKE_BUILD_TYPE=Release -DUSER_OPTIONS_FILE=OPTIONS
+// cmake --build BUILD
+// g++ -std=c++20 -O2 -shared -fPIC -I friction_answers INCLUDES siconos.cpp -o libsiconos_answers.so
 //     -lsiconos_mechanics -lsiconos_kernel -lsiconos_numerics -lsiconos_externals -lBulletCollision -lLinearMath
+// OPTIONS sets COMPONENTS to externals numerics kernel mechanics, WITH_BULLET on, WITH_PYB11_WRAPPER, WITH_TESTING, WITH_DOCUMENTATION, WITH_MUMPS
+// off; INCLUDES are the folders and definitions of the target siconos_mechanics.
 #include <FrictionContact.hpp>
 #include <MoreauJeanOSI.hpp>
 #include <NewtonImpactFrictionNSL.hpp>
@@ -13,13 +16,22 @@
 #include <TimeDiscretisation.hpp>
 #include <TimeStepping.hpp>
 #include "engine.h"
-using namespace siconos; using namespace collision;
+using namespace siconos;
+using namespace collision;
 using algebra::SiconosVector3, std::make_shared, Eigen::Quaterniond, Eigen::Map;
-// Radius of a foot, half the side of the floor, margin of shapes, m; times its mass that a driven body has, so that no contact slows it; end of time, s.
+// Radius of a foot, half the side of the floor, margin of shapes, m; times its mass that a driven body has, so that no contact slows
+// it; end of time, s.
 constexpr double FOOT = 0.01, FLOOR = 20, MARGIN = 1e-3, HEAVY = 1e6, FOREVER = 1e6;
-struct Body { std::shared_ptr<RigidBodyDS> it; bool is_driven; SiconosVector3 force; };
-struct World { std::shared_ptr<simulation::TimeStepping> simulation; std::vector<std::unique_ptr<Body>> bodies; };
-constexpr double TOLERANCES[] = {1e-4, 1e-8};  // of the solver, by setting
+struct Body {
+	std::shared_ptr<RigidBodyDS> it;
+	bool is_driven;
+	SiconosVector3 force;
+};
+struct World {
+	std::shared_ptr<simulation::TimeStepping> simulation;
+	std::vector<std::unique_ptr<Body>> bodies;
+};
+constexpr double TOLERANCES[] = {1e-4, 1e-8}; // of the solver, by setting
 static Map<const SiconosVector3> vector(const double v[3]) { return Map<const SiconosVector3>(v); }
 static World &of(void *world) { return *static_cast<World *>(world); }
 static Quaterniond turn(const RigidBodyDS &body) { return {body.q_read()(3), body.q_read()(4), body.q_read()(5), body.q_read()(6)}; }
@@ -37,10 +49,14 @@ static auto shapes(const fa_body &from) {
 	else if (from.kind == FA_CYLINDER) add(make_shared<SiconosCylinder>(s[0], 2 * s[1]), {0, 0, 0}, {half_turn, half_turn, 0, 0});
 	else if (from.kind == FA_BALL) add(make_shared<SiconosSphere>(s[0]));
 	else if (from.kind == FA_CAPSULE) add(make_shared<SiconosCapsule>(s[0], 2 * s[1]), {0, 0, 0}, {half_turn, 0, 0, half_turn});
-	else for (int i = 0; i < 6; i += 2) add(make_shared<SiconosSphere>(FOOT), {s[i], s[i + 1], 0});
+	else
+		for (int i = 0; i < 6; i += 2) add(make_shared<SiconosSphere>(FOOT), {s[i], s[i + 1], 0});
 	return made;
 }
-const char *fa_about(void) { return R"({"name": "Siconos", "version": "4.5.0", "licence": "Apache-2.0", "kind": "mechanics", "settings": {"default": {"dt": 1e-3}, "tolerance 1e-8": {"dt": 1e-3, "tolerance": 1e-8}}})"; }
+const char *fa_about(void) {
+	return R"({"name": "Siconos", "version": "4.5.0", "licence": "Apache-2.0", "kind": "mechanics", "settings": {
+		"default": {"dt": 1e-3}, "tolerance 1e-8": {"dt": 1e-3, "tolerance": 1e-8}}})";
+}
 void *fa_make(const fa_scene *scene, const char **why) {
 	if (scene->mu_across >= 0) return *why = "Friction is the same in all directions.", nullptr;
 	if (scene->torsion > 0) return *why = "Contacts have no torsional friction.", nullptr;
@@ -70,19 +86,23 @@ void *fa_make(const fa_scene *scene, const char **why) {
 	fa_gravity(world, scene->gravity);
 	// A thick floor turns boxes: the Bullet of Debian has single precision.
 	if (scene->has_floor) manager->addStaticBody(shapes({FA_BOX, 0, 0, {FLOOR, FLOOR, 0.5}, {}, {}, 1, {}, {0, 0, 0.5}}));
-	world->simulation->initialize();  // which sets the velocities
+	world->simulation->initialize(); // which sets the velocities
 	return world;
 }
 void fa_drop(void *world) { delete &of(world); }
 void fa_set(void *world, int number, const double velocity[3], const double spin[3]) {
 	RigidBodyDS &body = *of(world).bodies[number]->it;
 	*body.twist() << vector(velocity), turn(body).inverse() * vector(spin);
-	body.swapInMemory();  // where a step begins
+	body.swapInMemory(); // where a step begins
 }
 void fa_step(void *world) { of(world).simulation->computeOneStep(), of(world).simulation->nextStep(); }
 void fa_state(void *world, int number, double state[13]) {
 	const RigidBodyDS &body = *of(world).bodies[number]->it;
-	Map<Eigen::Matrix<double, 13, 1>>{state} << body.q_read(), body.twist_read().head<3>(), turn(body) * SiconosVector3(body.twist_read().tail<3>());
+	Map<Eigen::Matrix<double, 13, 1>>{state} << body.q_read(), body.twist_read().head<3>(),
+		turn(body) * SiconosVector3(body.twist_read().tail<3>());
 }
-void fa_gravity(void *world, const double gravity[3]) { for (auto &body : of(world).bodies) if (!body->is_driven) body->force = body->it->scalarMass() * vector(gravity); }
+void fa_gravity(void *world, const double gravity[3]) {
+	for (auto &body : of(world).bodies)
+		if (!body->is_driven) body->force = body->it->scalarMass() * vector(gravity);
+}
 void fa_force(void *world, int number, const double force[3]) { of(world).bodies[number]->force = vector(force); }
