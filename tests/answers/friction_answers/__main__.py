@@ -40,8 +40,11 @@ def listed(args):
 
 
 def played(args):
-    def told(text):
-        print(text, file=sys.stderr, flush=True)
+    def told(text, end="\n"):
+        print(text, file=sys.stderr, end=end, flush=True)
+
+    if args.out and not Path(args.out).resolve().parent.is_dir():
+        sys.exit(f"friction-answers: there is no folder {Path(args.out).parent} for {Path(args.out).name}")
 
     def kept(results):
         if args.out:
@@ -73,7 +76,11 @@ def summary(results):
         classes = [row["class"] for case in one["cases"] for row in case["rows"]]
         print("  " + ", ".join(f"{classes.count(name)} {name}" for name in CLASS_NAMES))
         row = Row(results, one)
-        print("  " + ", ".join(f"{mark} {told_mark(mark, row.median(mark))}" for mark in MARKS) + f"; error {100 * row.overall():.2g} %, cost {row.cost:.2g}")
+        print(
+            "  "
+            + ", ".join(f"{mark} {told_mark(mark, row.median(mark))}" for mark in MARKS)
+            + f"; error {100 * row.overall():.2g} %, cost {row.cost:.2g}, cases {row.count()}"
+        )
 
 
 def told_row(item, case, row):
@@ -137,7 +144,16 @@ def varied(args):
 
 
 def paged(args):
-    page([json.loads(Path(path).read_text()) for path in args.results], Path(args.out))
+    results = []
+    for path in args.results:
+        try:
+            results.append(json.loads(Path(path).read_text()))
+            results[-1]["runs"], results[-1]["seed"]
+        except (OSError, ValueError, KeyError, TypeError) as reason:
+            sys.exit(f"friction-answers: {path} has no results of `friction-answers run`: {reason!r}")
+    if all(one["seed"] is not None for one in results):
+        sys.exit("friction-answers: these are results of random cases; a page needs those of the standard ones, without --seed")
+    page(results, Path(args.out))
 
 
 def all_run(args):
@@ -168,8 +184,9 @@ def main():
     one.add_argument("--setting", action="append", default=[], help="one of the adapter's settings; may be repeated; all without it")
     one.add_argument("--items", nargs="+", default=[], choices=list(ITEMS), metavar="ITEM")
     one.add_argument("--seed", type=int, help="random cases of this seed in place of the standard ones")
-    one.add_argument("--case", help="this case alone")
-    one.add_argument("--quick", action="store_true", help="the last case of each item")
+    which = one.add_mutually_exclusive_group()
+    which.add_argument("--case", help="the case of this name alone, as `friction-answers list` has it")
+    which.add_argument("--quick", action="store_true", help="the last case of each item")
     one.add_argument("--at-most", type=float, metavar="PERCENT", help="fail if the error of a setting, the mean of its marks, is larger")
     one.add_argument("--out", help="results as JSON")
     one.set_defaults(do=played)

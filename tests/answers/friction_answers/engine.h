@@ -1,5 +1,8 @@
 // An engine as a shared library: what `friction-answers run ./libmy_engine.so` calls. SI units, z upwards, axes of the world.
-// Fill in the eight functions. Restitution, damping and sleep are off; friction between any two bodies is `mu`.
+// Fill in the eight functions: cc -shared -fPIC -I FOLDER_OF_THIS_FILE my_engine.c -o libmy_engine.so, and what the engine needs.
+// Restitution, damping and sleep are off; friction between any two bodies is `mu`.
+// Check first, in this order: `--items collide` (masses, inertia, frames of spins), `--items oblique`, `--items box --case 0` (0.1667 m, or less by
+// half a step at 1 m/s where steps are of first order), then `--quick`.
 #pragma once
 #ifdef __cplusplus
 extern "C" {
@@ -13,10 +16,10 @@ typedef struct fa_body
 	// Feet: x and y of each of three balls of 1 cm radius in the plane z = 0 of the body. All about the body's origin.
 	int kind;
 	int is_driven; // moves with the velocity and spin that fa_set gives it before every step, whatever it touches
-	int is_rim;    // a cylinder that stands on the thin rim of its face
+	int is_rim;    // a cylinder that stands on the thin rim of its face: ignored by engines that have no such face
 	double sizes[6];
 	double place[3], pose[4]; // of the body's origin, m; quaternion w, x, y, z
-	double mass, inertia[3], com[3]; // kg; principal moments about the centre of mass, kg m^2; centre of mass in the body, m
+	double mass, inertia[3], com[3]; // kg, of driven bodies too; principal moments about the centre of mass, kg m^2; centre of mass in the body, m
 } fa_body;
 
 typedef struct fa_scene
@@ -31,8 +34,9 @@ typedef struct fa_scene
 } fa_scene;
 
 // {"name": …, "version": …, "licence": …, "kind": "games", "mechanics" or "gpu", "settings": {name: {"dt": s, any other options}}}: the engine's own defaults first.
+// Strings live as long as the library. Several worlds may live at once, on one thread.
 const char *fa_about(void);
-// A world, or NULL and a sentence in `why` about what the engine has not.
+// A world, or NULL and a sentence in `why` about what the engine has not: mu_across, torsion, a shape.
 void *fa_make(const fa_scene *scene, const char **why);
 void fa_drop(void *world);
 // Velocity of the centre of mass, m/s, and spin, rad/s. Of driven bodies, it is called anew before every step.

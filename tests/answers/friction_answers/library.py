@@ -5,9 +5,10 @@ from ctypes import CDLL, POINTER, Structure, byref, c_char_p, c_double, c_int, c
 from itertools import chain
 from types import SimpleNamespace
 
+from .page import KINDS
 from .scene import Unsupported
 
-KINDS = ("box", "cylinder", "ball", "capsule", "feet")
+SHAPES = ("box", "cylinder", "ball", "capsule", "feet")
 Vector, State = c_double * 3, c_double * 13
 
 
@@ -25,6 +26,22 @@ class CScene(Structure):
     ]  # fmt: skip
 
 
+def about(library):
+    """What the library says of itself; a ValueError says what is wrong with it."""
+    text = library.fa_about()
+    try:
+        found = json.loads(text or b"")
+        names = {name.upper(): found[name] for name in ("name", "version", "licence", "kind")}
+        settings = {name: {"dt": options["dt"], **options} for name, options in found["settings"].items()}
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise ValueError(f"fa_about gives {text!r}: {error!r}; engine.h says what it has to be") from error
+    if found["kind"] not in KINDS:
+        raise ValueError(f"fa_about gives kind {found['kind']!r}; there are {', '.join(KINDS)}")
+    if not settings or not all(isinstance(one["dt"], float) and one["dt"] > 0 for one in settings.values()):
+        raise ValueError("fa_about must give one setting or more, each with dt, a number above 0, in s")
+    return names, settings
+
+
 def engine(path):
     """The adapter of a library at this path."""
     library = CDLL(path)
@@ -33,18 +50,18 @@ def engine(path):
     for name, more in {"drop": (), "set": (c_int, Vector, Vector), "step": (), "state": (c_int, State), "gravity": (Vector,), "force": (c_int, Vector)}.items():
         function = getattr(library, f"fa_{name}")
         function.argtypes, function.restype = (c_void_p, *more), None
-    about = json.loads(library.fa_about())
-    settings = {name: {"dt": options["dt"], **options, "setting": number} for number, (name, options) in enumerate(about["settings"].items())}
+    names, settings = about(library)
 
     class Simulator:
         def __init__(self, scene, setting, dt):
             bodies = (CBody * len(scene.bodies))(*map(c_body, scene.bodies))
             across = -1.0 if scene.mu_across is None else scene.mu_across
-            made = CScene(scene.mu, across, scene.torsion, Vector(*scene.gravity), dt, scene.has_floor, setting["setting"], len(bodies), bodies)
+            number = next(i for i, one in enumerate(settings.values()) if one is setting)
+            made = CScene(scene.mu, across, scene.torsion, Vector(*scene.gravity), dt, scene.has_floor, number, len(bodies), bodies)
             why = c_char_p()
             self.world = library.fa_make(byref(made), byref(why))
             if not self.world:
-                raise Unsupported((why.value or b"It has no such scene.").decode())
+                raise Unsupported((why.value or b"fa_make gives no world, and no reason.").decode(errors="replace"))
 
         def __del__(self):
             if getattr(self, "world", None):
@@ -67,13 +84,13 @@ def engine(path):
         def force(self, body, vector):
             library.fa_force(self.world, body, Vector(*vector))
 
-    return SimpleNamespace(**{name.upper(): about[name] for name in ("name", "version", "licence", "kind")}, SETTINGS=settings, Simulator=Simulator)
+    return SimpleNamespace(**names, SETTINGS=settings, Simulator=Simulator)
 
 
 def c_body(body):
     shape = body.shape
     sizes = tuple(chain(*shape.sizes)) if shape.kind == "feet" else shape.sizes
-    kind = KINDS.index(shape.kind)
+    kind = SHAPES.index(shape.kind)
     pose = (c_double * 4)(*body.pose)
     numbers = ((c_double * 6)(*sizes), Vector(*body.place), pose, body.mass, Vector(*body.inertia), Vector(*body.com))
     return CBody(kind, body.is_driven, shape.is_rim, *numbers)

@@ -177,11 +177,11 @@ def text(results, rows, missing):
         "*holds*, *releases* and *rolls* are the engine's own.\n"
     )
     yield (
-        "Each mark has the median over its problems, and of each problem the median over its cases, of the worst quantity; *error* is the mean of the five, creep "
-        "as a part of 1 m/s; *random* is the error on a random case of each problem, to which nobody has tuned. Best is the setting, of those tried, whose larger "
-        "error of both is least. *Cost*: processor time over simulated time, median over the cases, one scene at a time, the language's call included. ● within "
-        "0.1 % (holds: 1 µm/s), ◕ 1 % (0.1 mm/s), ◑ 10 % (1 cm/s), ○ beyond; – not to be had. ¹ One case of each problem. Engines without one of the marks come "
-        "last. `friction-answers list` has the problems.\n"
+        "Each mark has the median over its problems, and of each problem the median over its cases, of the worst quantity. *error* is their mean, each at "
+        "most 100 %, creep as a part of 1 m/s; *random* is the error on a random case of each problem, to which nobody has tuned. Best is the setting, of those "
+        "tried, whose larger error of both is least. *Cost*: processor time over simulated time, median over the cases, one scene at a time, the language's call "
+        "included. ● within 0.1 % (holds: 1 µm/s), ◕ 1 % (0.1 mm/s), ◑ 10 % (1 cm/s), ○ beyond; – not to be had. ¹ One case of each problem. Engines without one "
+        "of the marks come last. `friction-answers list` has the problems.\n"
     )
     first = {}
     for row in rows:

@@ -9,7 +9,8 @@ MARKS = ("circle", "square", "diamond")
 
 
 def ends(values):
-    return math.floor(math.log10(min(values))), math.ceil(math.log10(max(values)))
+    low = math.floor(math.log10(min(values)))
+    return low, max(low + 1, math.ceil(math.log10(max(values))))
 
 
 def scatter(rows):

@@ -28,8 +28,10 @@ def adapter(name):
         if Path(name).suffix != ".py":
             try:
                 return library(str(Path(name).resolve()))
-            except (OSError, AttributeError, ValueError, KeyError) as error:
-                raise Refused(f"{name} has not the functions of engine.h: {error}") from error
+            except ValueError as error:
+                raise Refused(f"{name}: {error}") from error
+            except (OSError, AttributeError) as error:
+                raise Refused(f'{name} has not the functions of engine.h (in C++, extern "C"), or is not linked with the engine: {error}') from error
         spec = importlib.util.spec_from_file_location("friction_answers.adapters.own", name)
         module = importlib.util.module_from_spec(spec)
         sys.modules[spec.name] = module
@@ -113,8 +115,8 @@ class Timed:
         self.steps += 1
 
 
-def run(name, settings=(), items=(), seed=None, only=None, told=lambda text: None, kept=lambda results: None):
-    """Results of an engine, as JSON has them; `only` is the name of a case, or "last" for one of each item. `kept` gets them after each setting."""
+def run(name, settings=(), items=(), seed=None, only=None, told=lambda text, end="\n": None, kept=lambda results: None):
+    """Results of an engine, as JSON has them; `only` is the name of a case, or "last" for one of each item. `kept` gets them after each case."""
     engine = adapter(name)
     for setting in settings:
         if setting not in engine.SETTINGS:
@@ -127,16 +129,19 @@ def run(name, settings=(), items=(), seed=None, only=None, told=lambda text: Non
     }  # fmt: skip
     for setting in settings or engine.SETTINGS:
         runs = {"setting": setting, "options": engine.SETTINGS[setting], "cases": [], "cannot": {}}
+        results["runs"].append(runs)
         for item in (ITEMS[name] for name in items or ITEMS):
             cases = cases_of(item.name, seed)
             for case_name in list(cases)[-1:] if only == "last" else [case for case in cases if only in (None, case)]:
                 case, exact = cases[case_name]
                 points = by_corners.get((item.name, case_name), {})
                 began = time.perf_counter()
+                told(f"{engine.NAME}, {setting}: {item.name} {case_name} …", end="")
                 try:
                     rows, cost = play(engine, setting, item, case, exact, points)
                 except Unsupported as reason:
                     runs["cannot"][item.name] = str(reason)
+                    told(" cannot")
                     break
                 except NotImplementedError as missing:
                     raise Refused(f"the adapter lacks a function: {where(missing)}") from missing
@@ -144,8 +149,8 @@ def run(name, settings=(), items=(), seed=None, only=None, told=lambda text: Non
                     rows, cost = [], None
                     runs["cannot"][f"{item.name} {case_name}"] = f"fails: {type(failure).__name__}: {first_sentence(failure)} ({where(failure)})"
                 runs["cases"].append({"item": item.name, "mark": item.mark, "case": case_name, "rows": rows, "cost": cost})
-                told(f"{engine.NAME}, {setting}: {item.name} {case_name}, {time.perf_counter() - began:.1f} s")
-        results["runs"].append(runs)
+                told(f" {time.perf_counter() - began:.1f} s")
+                kept(results)
         kept(results)
     return results
 
