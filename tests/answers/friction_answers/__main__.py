@@ -202,7 +202,7 @@ def main():
     one.add_argument("--out", required=True, help="folder")
     one.set_defaults(do=paged)
     one = commands.add_parser("all", help="install every engine beside the results, run it, and make the page")
-    one.add_argument("--engines", nargs="+", default=[], metavar="ENGINE", help="these alone; none of them with --engines corners")
+    one.add_argument("--engines", nargs="+", default=[], metavar="ENGINE", help="these alone")
     one.add_argument("--also", nargs="+", default=[], metavar="ENGINE", help="as for run, with this Python: your own beside them")
     one.add_argument("--quick", action="store_true", help="one case of each item")
     one.add_argument("--out", required=True, help="folder")

@@ -76,11 +76,14 @@ class Failed(Exception):
 
 
 def ran(words, environ):
-    """Settings that were run before the engine stopped are kept."""
-    said = subprocess.run(words, capture_output=True, text=True, env=environ)
-    if said.returncode:
-        last = (said.stderr.strip().splitlines() or [""])[-1]
-        raise Failed(f"it stops with {said.returncode}: {last}")
+    """Runs and tells what is said meanwhile. Cases that were played before the engine stopped are kept."""
+    last = ""
+    with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=environ) as process:
+        for line in process.stderr:
+            last = line.strip() or last
+            print(line, end="", file=sys.stderr, flush=True)
+    if process.returncode:
+        raise Failed(f"it stops with {process.returncode}: {last}")
 
 
 def package(folder):
