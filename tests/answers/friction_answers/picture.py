@@ -3,7 +3,7 @@
 import math
 from html import escape
 
-WIDTH, HEIGHT, LEFT, BOTTOM, TOP, RIGHT = 900, 560, 70, 60, 20, 20
+WIDTH, HEIGHT, LEFT, BOTTOM, TOP, RIGHT = 1000, 640, 70, 60, 20, 20
 COLOURS = ("#4477aa", "#ee6677", "#228833", "#ccbb44", "#66ccee", "#aa3377", "#bbbbbb", "#222255", "#997700", "#994455")
 MARKS = ("circle", "square", "diamond")
 
@@ -41,16 +41,17 @@ def scatter(rows):
         y = py(10.0 ** (power - 2))
         out.append(f'<path d="M{LEFT} {y:.1f}H{WIDTH - RIGHT}" stroke="#dddddd"/><text x="{LEFT - 6}" y="{y + 4:.1f}" text-anchor="end">{10.0**power:g} %</text>')
     out.append(f'<text x="{(LEFT + WIDTH) / 2}" y="{HEIGHT - 14}" text-anchor="middle">processor time over simulated time, one scene</text>')
-    out.append(f'<text transform="translate(16 {HEIGHT / 2}) rotate(-90)" text-anchor="middle">error: mean of the five marks (hollow: of those it has)</text>')
-    taken = []
+    out.append(f'<text transform="translate(16 {HEIGHT / 2}) rotate(-90)" text-anchor="middle">error: mean of the five marks</text>')
+    # Names cover no point either.
+    taken = [(px(x) - 5, py(y) + 4, 10.0) for _, x, y in points]
     for i, engine in enumerate(dict.fromkeys(row.engine for row, _, _ in points)):
         colour = COLOURS[i % len(COLOURS)]
         own = sorted((x, y, row) for row, x, y in points if row.engine == engine)
         path = " ".join(f"{px(x):.1f},{py(y):.1f}" for x, y, _ in own)
         out.append(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-opacity="0.5"/>')
         for x, y, row in own:
-            paint = f'fill="none" stroke="{colour}" stroke-width="2"' if row.rank()[0] else f'fill="{colour}"'
-            out.append(f"<g {paint}><title>{escape(f'{engine}, {row.setting}: {100 * y:.2g} %, cost {x:.2g}')}</title>{mark(px(x), py(y), i // len(COLOURS))}</g>")
+            told = escape(f"{engine}, {row.setting}: {100 * y:.2g} %, cost {x:.2g}")
+            out.append(f'<g fill="{colour}"><title>{told}</title>{mark(px(x), py(y), i // len(COLOURS))}</g>')
         x, y, _ = min(own, key=lambda point: point[1])
         out.append(name(engine, px(x), py(y), colour, taken))
     return "\n".join([*out, "</svg>"]) + "\n"
@@ -64,11 +65,16 @@ def mark(x, y, kind):
 
 
 def name(engine, x, y, colour, taken):
-    """The engine's name beside its best point, moved down until it covers no other."""
+    """The engine's name beside its best point, or at the nearest height where it covers no other, with a line to the point."""
     width = 7.5 * len(engine)
     left = x + 9 if x + 9 + width < WIDTH - RIGHT else x - 9 - width
-    y += 4
-    while any(abs(y - b) < 14 and left < a + w and a < left + width for a, b, w in taken):
-        y += 14
-    taken.append((left, y, width))
-    return f'<text x="{left:.1f}" y="{y:.1f}" fill="{colour}">{escape(engine)}</text>'
+
+    def is_free(at):
+        return all(abs(at - b) >= 14 or left >= a + w or a >= left + width for a, b, w in taken)
+
+    heights = sorted((y + 4 + 7 * i for i in range(-60, 61)), key=lambda at: abs(at - y - 4))
+    at = next((at for at in heights if TOP < at < HEIGHT - BOTTOM and is_free(at)), y + 4)
+    taken.append((left, at, width))
+    end = left if left > x else left + width
+    lead = f'<path d="M{x:.1f} {y:.1f}L{end:.1f} {at - 4:.1f}" stroke="{colour}" stroke-opacity="0.4"/>' if abs(at - y - 4) > 7 else ""
+    return f'{lead}<text x="{left:.1f}" y="{at:.1f}" fill="{colour}">{escape(engine)}</text>'
