@@ -48,7 +48,7 @@ def everything(out, names, own, quick, told):
     missing, alone = {}, package(out / "engines" / "package")
     for name in [*(names or ENGINES), *own]:
         results = out / f"{Path(name).stem}.json"
-        if results.exists() and (json.loads(results.read_text()).get("only") == "last") == quick:
+        if is_there(results, quick):
             told(f"{name}: kept {results}")
             continue
         began = time.monotonic()
@@ -62,13 +62,23 @@ def everything(out, names, own, quick, told):
             ran([*run, "--out", results.with_suffix(".random.json"), "--seed", str(SEED)], environ)
         except Failed as failure:
             missing[name] = str(failure)
-        except (subprocess.CalledProcessError, OSError) as failure:
+        except subprocess.CalledProcessError as failure:
+            missing[name] = f"not installed: {failure}: {failure.stderr.decode(errors='replace').strip().splitlines()[-1:]}"
+        except OSError as failure:
             missing[name] = f"not installed: {failure}"
         told(f"{name}: {missing.get(name, 'done')}, {(time.monotonic() - began) / 60:.1f} min")
     found = [json.loads(path.read_text()) for path in sorted(out.glob("*.json"))]
     if not found:
         sys.exit("no engine ran")
     page(found, out, missing)
+
+
+def is_there(path, quick):
+    """Whether there are results of the same cases, to the last one."""
+    if not path.exists():
+        return False
+    results = json.loads(path.read_text())
+    return results.get("is_done") and (results["only"] == "last") == quick
 
 
 class Failed(Exception):

@@ -29,6 +29,7 @@ class Row:
         self.engine = self.options.get("engine", results["engine"])
         self.cases = run["cases"]
         self.is_ours, self.is_full = "tribos" in self.engine.lower(), results.get("only") is None
+        self.is_done = results["is_done"]
         costs = [case["cost"] for case in self.cases if case["cost"]]
         self.cost = statistics.median(costs) if costs else math.nan
         self.random = None  # its error on random cases
@@ -68,7 +69,7 @@ class Row:
     def count(self):
         """Cases that were played, and those of them that failed."""
         failed = sum(math.isinf(wrong) for mark in MARKS for wrong, _, _ in self.errors(mark))
-        return f"{len(self.cases)}{'' if self.is_full else '¹'}" + (f", {failed} fail" if failed else "")
+        return f"{len(self.cases)}{'' if self.is_full else '¹'}" + (f", {failed} fail" if failed else "") + ("" if self.is_done else ", then it stopped")
 
     def worst(self, mark):
         return max(self.errors(mark), key=lambda found: found[0], default=None)

@@ -126,6 +126,7 @@ def run(name, settings=(), items=(), seed=None, only=None, told=lambda text, end
         "engine": engine.NAME, "version": engine.VERSION, "licence": engine.LICENCE, "kind": engine.KIND, "adapter": name, "seed": seed, "only": only,
         "machine": {"system": platform.platform(), "processor": processor(), "cores": os.cpu_count(), "python": platform.python_version()},
         "runs": [],
+        "is_done": False,
     }  # fmt: skip
     for setting in settings or engine.SETTINGS:
         runs = {"setting": setting, "options": engine.SETTINGS[setting], "cases": [], "cannot": {}}
@@ -152,6 +153,8 @@ def run(name, settings=(), items=(), seed=None, only=None, told=lambda text, end
                 told(f" {time.perf_counter() - began:.1f} s")
                 kept(results)
         kept(results)
+    results["is_done"] = True
+    kept(results)
     return results
 
 

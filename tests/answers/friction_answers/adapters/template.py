@@ -4,8 +4,8 @@
 Restitution, damping and sleep are off; friction between any two bodies is `scene.mu`, whatever the rule by which the engine combines coefficients. An
 engine without a shape refuses it.
 
-Check first, in this order: `--items collide` (masses, inertia, frames of spins), `--items oblique`, `--items box --case 0` (must go 0.1667 m),
-then `--quick`.
+Check first, in this order: `--items collide` (masses, inertia, frames of spins), `--items oblique`, `--items box --case 0` (0.1667 m, or less by
+half a step at 1 m/s), then `--quick`.
 """
 
 from friction_answers.scene import Unsupported  # noqa: F401
