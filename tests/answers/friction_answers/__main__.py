@@ -10,7 +10,7 @@ from pathlib import Path
 from .answers import ANSWERS, DOUBLE
 from .cases import drawn
 from .items import ITEMS
-from .page import MARKS, Row, page
+from .page import MARKS, Row, page, read
 from .page import told as told_mark
 from .run import Refused, run
 from .table import CLASSES, answers, class_of, error
@@ -144,13 +144,10 @@ def varied(args):
 
 
 def paged(args):
-    results = []
-    for path in args.results:
-        try:
-            results.append(json.loads(Path(path).read_text()))
-            results[-1]["runs"], results[-1]["seed"]
-        except (OSError, ValueError, KeyError, TypeError) as reason:
-            sys.exit(f"friction-answers: {path} has no results of `friction-answers run`: {reason!r}")
+    try:
+        results = [read(Path(path)) for path in args.results]
+    except ValueError as reason:
+        sys.exit(f"friction-answers: {reason}")
     if all(one["seed"] is not None for one in results):
         sys.exit("friction-answers: these are results of random cases; a page needs those of the standard ones, without --seed")
     page(results, Path(args.out))
@@ -162,6 +159,10 @@ def all_run(args):
     unknown = [name for name in args.engines if name not in ENGINES]
     if unknown:
         sys.exit(f"no engine {unknown[0]}; there are {', '.join(ENGINES)}")
+    stems = [Path(name).stem for name in [*(args.engines or ENGINES), *args.also]]
+    twice = [stem for stem in stems if stems.count(stem) > 1]
+    if twice:
+        sys.exit(f"two engines would write {twice[0]}.json")
     everything(Path(args.out), args.engines, args.also, args.quick, lambda text: print(text, file=sys.stderr, flush=True))
 
 

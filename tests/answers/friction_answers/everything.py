@@ -1,6 +1,5 @@
 """Installs every engine in an environment of its own, runs it, and makes the page."""
 
-import json
 import os
 import shutil
 import subprocess
@@ -10,7 +9,7 @@ import venv
 from pathlib import Path
 
 from .cases import DATA
-from .page import page
+from .page import page, read
 
 PACKAGE = Path(__file__).resolve().parent
 SEED = 1  # of the random cases
@@ -48,7 +47,9 @@ def everything(out, names, own, quick, told):
     missing, alone = {}, package(out / "engines" / "package")
     for name in [*(names or ENGINES), *own]:
         results = out / f"{Path(name).stem}.json"
-        if is_there(results, quick):
+        random = results.with_suffix(".random.json")
+        owed = [(path, words) for path, words in ((results, ["--quick"] if quick else []), (random, ["--seed", str(SEED)])) if not is_there(path, words)]
+        if not owed:
             told(f"{name}: kept {results}")
             continue
         began = time.monotonic()
@@ -58,8 +59,8 @@ def everything(out, names, own, quick, told):
             paths = [str(alone), *([os.environ.get("PYTHONPATH", "")] if name in own else [])]
             environ = os.environ | {"PYTHONPATH": os.pathsep.join(paths)}
             run = [python, "-m", PACKAGE.name, "run", engine]
-            ran([*run, "--out", results, *(["--quick"] if quick else [])], environ)
-            ran([*run, "--out", results.with_suffix(".random.json"), "--seed", str(SEED)], environ)
+            for path, words in owed:
+                ran([*run, "--out", path, *words], environ)
         except Failed as failure:
             missing[name] = str(failure)
         except subprocess.CalledProcessError as failure:
@@ -67,18 +68,24 @@ def everything(out, names, own, quick, told):
         except OSError as failure:
             missing[name] = f"not installed: {failure}"
         told(f"{name}: {missing.get(name, 'done')}, {(time.monotonic() - began) / 60:.1f} min")
-    found = [json.loads(path.read_text()) for path in sorted(out.glob("*.json"))]
+    found = []
+    for path in sorted(out.glob("*.json")):
+        try:
+            found.append(read(path))
+        except ValueError as reason:
+            told(f"left out: {reason}")
     if not found:
         sys.exit("no engine ran")
     page(found, out, missing)
 
 
-def is_there(path, quick):
-    """Whether there are results of the same cases, to the last one."""
-    if not path.exists():
+def is_there(path, words):
+    """Whether there are results of the cases of these options, to the last one."""
+    try:
+        results = read(path)
+    except ValueError:
         return False
-    results = json.loads(path.read_text())
-    return results.get("is_done") and (results["only"] == "last") == quick
+    return results["is_done"] and (results["only"] == "last") == ("--quick" in words)
 
 
 class Failed(Exception):

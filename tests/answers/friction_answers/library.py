@@ -5,7 +5,6 @@ from ctypes import CDLL, POINTER, Structure, byref, c_char_p, c_double, c_int, c
 from itertools import chain
 from types import SimpleNamespace
 
-from .page import KINDS
 from .scene import Unsupported
 
 SHAPES = ("box", "cylinder", "ball", "capsule", "feet")
@@ -35,10 +34,6 @@ def about(library):
         settings = {name: {"dt": options["dt"], **options} for name, options in found["settings"].items()}
     except (ValueError, KeyError, TypeError, AttributeError) as error:
         raise ValueError(f"fa_about gives {text!r}: {error!r}; engine.h says what it has to be") from error
-    if found["kind"] not in KINDS:
-        raise ValueError(f"fa_about gives kind {found['kind']!r}; there are {', '.join(KINDS)}")
-    if not settings or not all(isinstance(one["dt"], float) and one["dt"] > 0 for one in settings.values()):
-        raise ValueError("fa_about must give one setting or more, each with dt, a number above 0, in s")
     return names, settings
 
 

