@@ -4,6 +4,7 @@ import argparse
 import csv
 import json
 import os
+import signal
 import sys
 from pathlib import Path
 
@@ -12,7 +13,7 @@ from .cases import drawn
 from .items import ITEMS
 from .page import MARKS, Row, page, read
 from .page import told as told_mark
-from .run import Refused, run
+from .run import LIMIT, Refused, run
 from .table import CLASSES, answers, class_of, error
 from .units import UNITS
 
@@ -48,11 +49,14 @@ def played(args):
 
     def kept(results):
         if args.out:
-            written(args.out, json.dumps(results, indent=1, default=str))
+            written(args.out, json.dumps(results, indent=1))
 
+    if args.resume and not args.out:
+        sys.exit("friction-answers: --resume goes on with the results of --out")
     try:
-        results = run(args.engine, args.setting, args.items, args.seed, "last" if args.quick else args.case, told, kept)
-    except Refused as reason:
+        earlier = read(Path(args.out)) if args.resume and Path(args.out).exists() else None
+        results = run(args.engine, args.setting, args.items, args.seed, "last" if args.quick else args.case, told, kept, earlier, args.limit)
+    except (Refused, ValueError) as reason:
         sys.exit(f"friction-answers: {reason}")
     summary(results)
     if args.out:
@@ -163,7 +167,7 @@ def all_run(args):
     twice = [stem for stem in stems if stems.count(stem) > 1]
     if twice:
         sys.exit(f"two engines would write {twice[0]}.json")
-    everything(Path(args.out), args.engines, args.also, args.quick, lambda text: print(text, file=sys.stderr, flush=True))
+    everything(Path(args.out), args.engines, args.also, args.quick, args.limit, lambda text: print(text, file=sys.stderr, flush=True))
 
 
 def written(path, text):
@@ -171,6 +175,10 @@ def written(path, text):
     beside = f"{path}.part"
     Path(beside).write_text(text + "\n")
     os.replace(beside, path)
+
+
+def limited(command):
+    command.add_argument("--limit", type=float, default=LIMIT, metavar="S", help=f"an engine's process ends at a case that takes longer, {LIMIT:g} s without")
 
 
 def main():
@@ -189,7 +197,9 @@ def main():
     which.add_argument("--case", help="the case of this name alone, as `friction-answers list` has it")
     which.add_argument("--quick", action="store_true", help="the last case of each item")
     one.add_argument("--at-most", type=float, metavar="PERCENT", help="fail if the error of a setting, the mean of its marks, is larger")
+    limited(one)
     one.add_argument("--out", help="results as JSON")
+    one.add_argument("--resume", action="store_true", help="go on with the results of --out, without a case that ended the process twice")
     one.set_defaults(do=played)
     one = commands.add_parser("compare", help="errors of a table that your simulator wrote")
     one.add_argument("results", help="CSV with item, case, quantity, value")
@@ -206,13 +216,17 @@ def main():
     one.add_argument("--engines", nargs="+", default=[], metavar="ENGINE", help="these alone")
     one.add_argument("--also", nargs="+", default=[], metavar="ENGINE", help="as for run, with this Python: your own beside them")
     one.add_argument("--quick", action="store_true", help="one case of each item")
+    limited(one)
     one.add_argument("--out", required=True, help="folder")
     one.set_defaults(do=all_run)
     args = parser.parse_args()
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         args.do(args)
     except BrokenPipeError:
         sys.stderr.close()
+    except KeyboardInterrupt:
+        sys.exit(130)
 
 
 if __name__ == "__main__":

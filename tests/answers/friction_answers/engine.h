@@ -1,5 +1,6 @@
 // An engine as a shared library: what `friction-answers run ./libmy_engine.so` calls. SI units, z upwards, axes of the world.
-// Fill in the eight functions: cc -shared -fPIC -I FOLDER_OF_THIS_FILE my_engine.c -o libmy_engine.so, and what the engine needs.
+// Fill in the eight functions, or in C++ the class at the end: cc -shared -fPIC -I FOLDER_OF_THIS_FILE my_engine.c -o libmy_engine.so, and what the
+// engine needs.
 // Restitution, damping and sleep are off; friction between any two bodies is `mu`.
 // Check first, in this order: `--items collide` (masses, inertia, frames of spins), `--items oblique`, `--items box --case 0` (0.1667 m, or less by
 // half a step at 1 m/s where steps are of first order), then `--quick`.
@@ -50,4 +51,28 @@ void fa_force(void *world, int body, const double force[3]);
 
 #ifdef __cplusplus
 }
+#include <algorithm>
+#include <array>
+// Coulomb's law at points, alike in all directions, holds all but this.
+inline const char *fa_lacks(const fa_scene &scene)
+{
+	return scene.torsion > 0 ? "Contacts have no torsional friction." : scene.mu_across >= 0 ? "Friction is the same in all directions." : nullptr;
+}
+// The eight functions of a class World that is made of a fa_scene and has set, step, state, gravity and force, as above but without `world`; state gives
+// an array of 13 doubles. `lacks` is fa_lacks, or one's own.
+#define FA_ENGINE(World, about, lacks)                                                                                                        \
+	extern "C" {                                                                                                                              \
+	const char *fa_about(void) { return about; }                                                                                              \
+	void *fa_make(const fa_scene *scene, const char **why) { return (*why = lacks(*scene)) ? nullptr : new World(*scene); }                   \
+	void fa_drop(void *world) { delete (World *)world; }                                                                                      \
+	void fa_set(void *world, int body, const double velocity[3], const double spin[3]) { ((World *)world)->set(body, velocity, spin); }       \
+	void fa_step(void *world) { ((World *)world)->step(); }                                                                                   \
+	void fa_state(void *world, int body, double state[13])                                                                                    \
+	{                                                                                                                                         \
+		const std::array<double, 13> found = ((World *)world)->state(body);                                                                   \
+		std::copy(found.begin(), found.end(), state);                                                                                         \
+	}                                                                                                                                         \
+	void fa_gravity(void *world, const double gravity[3]) { ((World *)world)->gravity(gravity); }                                             \
+	void fa_force(void *world, int body, const double force[3]) { ((World *)world)->force(body, force); }                                     \
+	}
 #endif

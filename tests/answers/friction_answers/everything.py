@@ -41,14 +41,14 @@ SOURCES = {
 }
 
 
-def everything(out, names, own, quick, told):
+def everything(out, names, own, quick, limit, told):
     """Runs the engines of these names, all without any, and one's own, and writes the page into a folder; results of the same cases that are there are kept."""
     out.mkdir(parents=True, exist_ok=True)
     missing, alone = {}, package(out / "engines" / "package")
     for name in [*(names or ENGINES), *own]:
         results = out / f"{Path(name).stem}.json"
         random = results.with_suffix(".random.json")
-        owed = [(path, words) for path, words in ((results, ["--quick"] if quick else []), (random, ["--seed", str(SEED)])) if not is_there(path, words)]
+        owed = [words for words in (["--out", results, *(["--quick"] if quick else [])], ["--out", random, "--seed", str(SEED)]) if not is_there(*words[1:])]
         if not owed:
             told(f"{name}: kept {results}")
             continue
@@ -58,9 +58,9 @@ def everything(out, names, own, quick, told):
             engine = built(name, out / "engines" / name, alone) if name in SOURCES else name
             paths = [str(alone), *([os.environ.get("PYTHONPATH", "")] if name in own else [])]
             environ = os.environ | {"PYTHONPATH": os.pathsep.join(paths)}
-            run = [python, "-m", PACKAGE.name, "run", engine]
-            for path, words in owed:
-                ran([*run, "--out", path, *words], environ)
+            run = [python, "-m", PACKAGE.name, "run", engine, "--limit", str(limit), "--resume"]
+            for words in owed:
+                ran([*run, *words], words[1], environ)
         except Failed as failure:
             missing[name] = str(failure)
         except subprocess.CalledProcessError as failure:
@@ -79,28 +79,45 @@ def everything(out, names, own, quick, told):
     page(found, out, missing)
 
 
-def is_there(path, words):
-    """Whether there are results of the cases of these options, to the last one."""
+def earlier(path):
+    """Results in a file, or what is like none."""
     try:
-        results = read(path)
+        return read(path)
     except ValueError:
+        return {"is_done": False, "only": None}
+
+
+def is_there(path, *words):
+    """Whether there are results of the cases of these options, to the last one; those of other options are removed."""
+    found = earlier(path)
+    if (found["only"] == "last") != ("--quick" in words):
+        path.unlink(missing_ok=True)
         return False
-    return results["is_done"] and (results["only"] == "last") == ("--quick" in words)
+    return found["is_done"]
 
 
 class Failed(Exception):
     """The last line of what a process said."""
 
 
-def ran(words, environ):
-    """Runs and tells what is said meanwhile. Cases that were played before the engine stopped are kept."""
-    last = ""
-    with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=environ) as process:
-        for line in process.stderr:
-            last = line.strip() or last
-            print(line, end="", file=sys.stderr, flush=True)
-    if process.returncode:
-        raise Failed(f"it stops with {process.returncode}: {last}")
+def ran(words, path, environ):
+    """Runs and tells what is said meanwhile. An engine that ends its process goes on with the cases that it has not played."""
+    stops = {}
+    while True:
+        last = ""
+        with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=environ) as process:
+            try:
+                for line in process.stderr:
+                    last = line.strip() or last
+                    print(line, end="", file=sys.stderr, flush=True)
+            except BaseException:
+                process.terminate()
+                raise
+        before, stops = stops, earlier(path).get("stops", {})
+        if not process.returncode:
+            return
+        if stops == before:
+            raise Failed(f"it stops with {process.returncode}: {last}")
 
 
 def package(folder):

@@ -1,7 +1,9 @@
 """Runs an engine through the problems."""
 
+import faulthandler
 import importlib
 import importlib.util
+import json
 import math
 import os
 import platform
@@ -19,6 +21,7 @@ from .scene import Unsupported
 from .table import answers, class_of, corners, error
 
 OWN = (".py", ".so", ".dylib", ".dll")
+LIMIT = 900.0  # of a case, s
 
 
 def adapter(name):
@@ -65,13 +68,15 @@ class Refused(Exception):
     """Why a run cannot begin."""
 
 
-def cases_of(item, seed):
-    """Case name -> parameters and answers: the standard ones, or one drawn by a seed."""
+def cases_of(item, seed, only):
+    """Case name -> parameters and answers: the standard ones, all or but one, or one drawn by a seed."""
     if seed is not None:
         case = drawn(item, seed)
         return {f"seed {seed}": (case, ANSWERS[item](case, DOUBLE))}
     exact = answers()
-    return {name: (case, exact[item, name]) for name, case in standard()[item].items()}
+    cases = {name: (case, exact[item, name]) for name, case in standard()[item].items()}
+    last = list(cases)[-1]
+    return {name: case for name, case in cases.items() if only in (None, name) or (only == "last" and name == last)}
 
 
 def rest_time(case, exact):
@@ -128,48 +133,84 @@ class Timed:
         self.steps += 1
 
 
-def run(name, settings=(), items=(), seed=None, only=None, told=lambda text, end="\n": None, kept=lambda results: None):
-    """Results of an engine, as JSON has them; `only` is the name of a case, or "last" for one of each item. `kept` gets them after each case."""
+def run(name, settings=(), items=(), seed=None, only=None, told=lambda text, end="\n": None, kept=lambda results: None, earlier=None, limit=LIMIT):
+    """Results of an engine, as JSON has them; `only` is the name of a case, or "last" for one of each item. `kept` gets them before and after each case.
+
+    `earlier` are results of the same options to go on with; a case that ended their process twice is left out as failed. A case that takes longer than
+    `limit`, in s, ends this process.
+    """
     engine = adapter(name)
     check(name, engine)
     for setting in settings:
         if setting not in engine.SETTINGS:
             raise Refused(f"{name} has no setting {setting}; there are {', '.join(engine.SETTINGS)}")
-    by_corners = corners()
-    results = {
-        "engine": engine.NAME, "version": engine.VERSION, "licence": engine.LICENCE, "kind": engine.KIND, "adapter": name, "seed": seed, "only": only,
-        "machine": {"system": platform.platform(), "processor": processor(), "cores": os.cpu_count(), "python": platform.python_version()},
-        "runs": [],
-        "is_done": False,
+    about = {
+        "engine": engine.NAME, "version": engine.VERSION, "licence": engine.LICENCE, "kind": engine.KIND, "adapter": Path(name).name, "seed": seed, "only": only,
     }  # fmt: skip
-    for setting in settings or engine.SETTINGS:
-        runs = {"setting": setting, "options": engine.SETTINGS[setting], "cases": [], "cannot": {}}
-        results["runs"].append(runs)
-        for item in (ITEMS[name] for name in items or ITEMS):
-            cases = cases_of(item.name, seed)
-            for case_name in list(cases)[-1:] if only == "last" else [case for case in cases if only in (None, case)]:
-                case, exact = cases[case_name]
-                points = by_corners.get((item.name, case_name), {})
-                began = time.perf_counter()
-                told(f"{engine.NAME}, {setting}: {item.name} {case_name} …", end="")
+    machine = {"system": platform.platform(), "processor": processor(), "cores": os.cpu_count(), "python": platform.python_version()}
+    results = earlier or about | {"machine": machine, "runs": [], "stops": {}, "is_done": False}
+    for key in about:
+        if results.get(key) != about[key]:
+            raise Refused(f"the earlier results have {key} {results.get(key)}, not {about[key]}")
+    try:
+        for setting in settings or engine.SETTINGS:
+            one = run_of(setting, engine.SETTINGS[setting], results["runs"])
+            for item in (ITEMS[name] for name in items or ITEMS):
                 try:
-                    rows, cost = play(engine, setting, item, case, exact, points)
+                    play_item(engine, one, item, cases_of(item.name, seed, only), results, limit, told, kept)
                 except Unsupported as reason:
-                    runs["cannot"][item.name] = str(reason)
+                    one["cannot"][item.name] = str(reason)
                     told(" cannot")
-                    break
-                except NotImplementedError as missing:
-                    raise Refused(f"the adapter lacks a function: {where(missing)}") from missing
-                except Exception as failure:  # An engine that stops is a result.
-                    rows, cost = [], None
-                    runs["cannot"][f"{item.name} {case_name}"] = f"fails: {type(failure).__name__}: {first_sentence(failure)} ({where(failure)})"
-                runs["cases"].append({"item": item.name, "mark": item.mark, "case": case_name, "rows": rows, "cost": cost})
-                told(f" {time.perf_counter() - began:.1f} s")
-                kept(results)
+        results["is_done"] = True
+    finally:
         kept(results)
-    results["is_done"] = True
-    kept(results)
     return results
+
+
+def run_of(setting, options, runs):
+    """The run of a setting among those of the results, where it may have to be begun."""
+    options = json.loads(json.dumps(options, default=str))
+    for one in runs:
+        if one["setting"] == setting:
+            if one["options"] != options:
+                raise Refused(f"the earlier results have other options of {setting}")
+            return one
+    runs.append({"setting": setting, "options": options, "cases": [], "cannot": {}})
+    return runs[-1]
+
+
+def play_item(engine, one, item, cases, results, limit, told, kept):
+    """The cases of an item that a run has not; `stops` of the results counts the processes that a case has ended."""
+    points = corners()
+    for name, (case, exact) in cases.items():
+        if any((old["item"], old["case"]) == (item.name, name) for old in one["cases"]):
+            continue
+        at = f"{one['setting']}: {item.name} {name}"
+        stops = results["stops"].get(at, 0)
+        results["stops"][at] = stops + 1
+        kept(results)
+        began = time.perf_counter()
+        told(f"{engine.NAME}, {at} …", end="")
+        rows, cost, failure = [], None, None
+        faulthandler.dump_traceback_later(limit, exit=True, file=sys.__stderr__)
+        try:
+            if stops < 2:
+                rows, cost = play(engine, one["setting"], item, case, exact, points.get((item.name, name), {}))
+            else:
+                failure = f"ends the process, or takes more than {limit:g} s"
+        except Unsupported:
+            raise
+        except NotImplementedError as missing:
+            raise Refused(f"the adapter lacks a function: {where(missing)}") from missing
+        except Exception as error:  # An engine that stops is a result.
+            failure = f"{type(error).__name__}: {first_sentence(error)} ({where(error)})"
+        finally:
+            faulthandler.cancel_dump_traceback_later()
+            del results["stops"][at]
+        if failure:
+            one["cannot"][f"{item.name} {name}"] = f"fails: {failure}"
+        one["cases"].append({"item": item.name, "mark": item.mark, "case": name, "rows": rows, "cost": cost})
+        told(f" {time.perf_counter() - began:.1f} s")
 
 
 def first_sentence(failure):

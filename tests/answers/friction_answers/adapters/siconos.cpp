@@ -22,18 +22,9 @@ using algebra::SiconosVector3, std::make_shared, Eigen::Quaterniond, Eigen::Map;
 // Radius of a foot, half the side of the floor, margin of shapes, m; times its mass that a driven body has, so that no contact slows
 // it; end of time, s.
 constexpr double FOOT = 0.01, FLOOR = 20, MARGIN = 1e-3, HEAVY = 1e6, FOREVER = 1e6;
-struct Body {
-	std::shared_ptr<RigidBodyDS> it;
-	bool is_driven;
-	SiconosVector3 force;
-};
-struct World {
-	std::shared_ptr<simulation::TimeStepping> simulation;
-	std::vector<std::unique_ptr<Body>> bodies;
-};
+struct Body { std::shared_ptr<RigidBodyDS> it; bool is_driven; SiconosVector3 force; };
 constexpr double TOLERANCES[] = {1e-4, 1e-8}; // of the solver, by setting
 static Map<const SiconosVector3> vector(const double v[3]) { return Map<const SiconosVector3>(v); }
-static World &of(void *world) { return *static_cast<World *>(world); }
 static Quaterniond turn(const RigidBodyDS &body) { return {body.q_read()(3), body.q_read()(4), body.q_read()(5), body.q_read()(6)}; }
 static auto shapes(const fa_body &from) {
 	auto made = make_shared<SiconosContactorSet>();
@@ -53,56 +44,56 @@ static auto shapes(const fa_body &from) {
 		for (int i = 0; i < 6; i += 2) add(make_shared<SiconosSphere>(FOOT), {s[i], s[i + 1], 0});
 	return made;
 }
-const char *fa_about(void) {
-	return R"({"name": "Siconos", "version": "4.5.0", "licence": "Apache-2.0", "kind": "mechanics", "settings": {
-		"default": {"dt": 1e-3}, "tolerance 1e-8": {"dt": 1e-3, "tolerance": 1e-8}}})";
-}
-void *fa_make(const fa_scene *scene, const char **why) {
-	if (scene->mu_across >= 0) return *why = "Friction is the same in all directions.", nullptr;
-	if (scene->torsion > 0) return *why = "Contacts have no torsional friction.", nullptr;
-	auto system = make_shared<modeling::NonSmoothDynamicalSystem>(0.0, FOREVER);
-	auto world = new World{make_shared<simulation::TimeStepping>(system, make_shared<simulation::TimeDiscretisation>(0.0, scene->dt)), {}};
-	auto problem = make_shared<nonsmooth_formulations::FrictionContact>(3);
-	problem->numericsSolverOptions()->dparam[SICONOS_DPARAM_TOL] = TOLERANCES[scene->setting];
-	auto manager = make_shared<bullet::SiconosBulletCollisionManager>();
-	manager->insertNonSmoothLaw(make_shared<modeling::NewtonImpactFrictionNSL>(0.0, 0.0, scene->mu, 3), 0, 0);
-	world->simulation->insertIntegrator(make_shared<integrators::MoreauJeanOSI>(0.5));
-	world->simulation->insertNonSmoothProblem(problem);
-	world->simulation->insertInteractionManager(manager);
-	world->simulation->setWarningNonsmoothSolver(false), world->simulation->setNewtonWarningOnNonConvergence(false);
-	for (const fa_body *from = scene->bodies; from != scene->bodies + scene->count; from++) {
-		algebra::SiconosVector7 place;
-		place << vector(from->place), Map<const Eigen::Vector4d>(from->pose);
-		place.head<3>() += Quaterniond(from->pose[0], from->pose[1], from->pose[2], from->pose[3]) * vector(from->com);
-		const algebra::SiconosMatrix33 inertia = vector(from->inertia).asDiagonal();
-		const double factor = from->is_driven ? HEAVY : 1;
-		auto body = make_shared<RigidBodyDS>(place, algebra::SiconosVector6::Zero(), factor * from->mass, factor * inertia);
-		world->bodies.emplace_back(new Body{body, from->is_driven != 0, SiconosVector3::Zero()});
-		body->setUseContactorInertia(false);
-		body->setContactors(shapes(*from));
-		body->setConstantFext(world->bodies.back()->force, algebra::alias_t);
-		system->insertDynamicalSystem(body);
+struct World {
+	World(const fa_scene &scene) {
+		auto system = make_shared<modeling::NonSmoothDynamicalSystem>(0.0, FOREVER);
+		simulation = make_shared<simulation::TimeStepping>(system, make_shared<simulation::TimeDiscretisation>(0.0, scene.dt));
+		auto problem = make_shared<nonsmooth_formulations::FrictionContact>(3);
+		problem->numericsSolverOptions()->dparam[SICONOS_DPARAM_TOL] = TOLERANCES[scene.setting];
+		auto manager = make_shared<bullet::SiconosBulletCollisionManager>();
+		manager->insertNonSmoothLaw(make_shared<modeling::NewtonImpactFrictionNSL>(0.0, 0.0, scene.mu, 3), 0, 0);
+		simulation->insertIntegrator(make_shared<integrators::MoreauJeanOSI>(0.5));
+		simulation->insertNonSmoothProblem(problem);
+		simulation->insertInteractionManager(manager);
+		simulation->setWarningNonsmoothSolver(false), simulation->setNewtonWarningOnNonConvergence(false);
+		for (const fa_body *from = scene.bodies; from != scene.bodies + scene.count; from++) {
+			algebra::SiconosVector7 place;
+			place << vector(from->place), Map<const Eigen::Vector4d>(from->pose);
+			place.head<3>() += Quaterniond(from->pose[0], from->pose[1], from->pose[2], from->pose[3]) * vector(from->com);
+			const algebra::SiconosMatrix33 inertia = vector(from->inertia).asDiagonal();
+			const double factor = from->is_driven ? HEAVY : 1;
+			auto body = make_shared<RigidBodyDS>(place, algebra::SiconosVector6::Zero(), factor * from->mass, factor * inertia);
+			bodies.emplace_back(new Body{body, from->is_driven != 0, SiconosVector3::Zero()});
+			body->setUseContactorInertia(false);
+			body->setContactors(shapes(*from));
+			body->setConstantFext(bodies.back()->force, algebra::alias_t);
+			system->insertDynamicalSystem(body);
+		}
+		gravity(scene.gravity);
+		// A thick floor turns boxes: the Bullet of Debian has single precision.
+		if (scene.has_floor) manager->addStaticBody(shapes({FA_BOX, 0, 0, {FLOOR, FLOOR, 0.5}, {}, {}, 1, {}, {0, 0, 0.5}}));
+		simulation->initialize(); // which sets the velocities
 	}
-	fa_gravity(world, scene->gravity);
-	// A thick floor turns boxes: the Bullet of Debian has single precision.
-	if (scene->has_floor) manager->addStaticBody(shapes({FA_BOX, 0, 0, {FLOOR, FLOOR, 0.5}, {}, {}, 1, {}, {0, 0, 0.5}}));
-	world->simulation->initialize(); // which sets the velocities
-	return world;
-}
-void fa_drop(void *world) { delete &of(world); }
-void fa_set(void *world, int number, const double velocity[3], const double spin[3]) {
-	RigidBodyDS &body = *of(world).bodies[number]->it;
-	*body.twist() << vector(velocity), turn(body).inverse() * vector(spin);
-	body.swapInMemory(); // where a step begins
-}
-void fa_step(void *world) { of(world).simulation->computeOneStep(), of(world).simulation->nextStep(); }
-void fa_state(void *world, int number, double state[13]) {
-	const RigidBodyDS &body = *of(world).bodies[number]->it;
-	Map<Eigen::Matrix<double, 13, 1>>{state} << body.q_read(), body.twist_read().head<3>(),
-		turn(body) * SiconosVector3(body.twist_read().tail<3>());
-}
-void fa_gravity(void *world, const double gravity[3]) {
-	for (auto &body : of(world).bodies)
-		if (!body->is_driven) body->force = body->it->scalarMass() * vector(gravity);
-}
-void fa_force(void *world, int number, const double force[3]) { of(world).bodies[number]->force = vector(force); }
+	void set(int number, const double velocity[3], const double spin[3]) {
+		RigidBodyDS &body = *bodies[number]->it;
+		*body.twist() << vector(velocity), turn(body).inverse() * vector(spin);
+		body.swapInMemory(); // where a step begins
+	}
+	void step() { simulation->computeOneStep(), simulation->nextStep(); }
+	std::array<double, 13> state(int number) const {
+		const RigidBodyDS &body = *bodies[number]->it;
+		std::array<double, 13> state;
+		Map<Eigen::Matrix<double, 13, 1>>{state.data()} << body.q_read(), body.twist_read().head<3>(),
+			turn(body) * SiconosVector3(body.twist_read().tail<3>());
+		return state;
+	}
+	void gravity(const double gravity[3]) {
+		for (auto &body : bodies)
+			if (!body->is_driven) body->force = body->it->scalarMass() * vector(gravity);
+	}
+	void force(int number, const double force[3]) { bodies[number]->force = vector(force); }
+	std::shared_ptr<simulation::TimeStepping> simulation;
+	std::vector<std::unique_ptr<Body>> bodies;
+};
+FA_ENGINE(World, R"({"name": "Siconos", "version": "4.5.0", "licence": "Apache-2.0", "kind": "mechanics", "settings": {
+	"default": {"dt": 1e-3}, "tolerance 1e-8": {"dt": 1e-3, "tolerance": 1e-8}}})", fa_lacks)
