@@ -13,7 +13,8 @@ using namespace chrono;
 constexpr double FOOT = 0.01, FLOOR = 20, HEAVY = 1e6, DRIVEN = 2;
 // Springs or cone complementarity; iterations of Barzilai and Borwein; distance at which contacts begin, m; Young's modulus, Pa.
 // Chrono chooses what is 0.
-const struct Setting { bool is_smooth; int iterations; double envelope, modulus; } SETTINGS[] = {{false, 0, 0, 0}, {false, 300, 1e-3, 0}, {true, 0, 0, 0}, {true, 0, 0, 1e7}};
+const struct Setting { bool is_smooth; int iterations; double envelope, modulus; } SETTINGS[] = {
+	{false, 0, 0, 0}, {false, 300, 1e-3, 0}, {true, 0, 0, 0}, {true, 0, 0, 1e7}};
 static ChVector3d vector(const double v[3]) { return {v[0], v[1], v[2]}; }
 static std::shared_ptr<ChBody> made(const fa_body &from, std::shared_ptr<ChContactMaterial> surface, const ChVector3d &gravity) {
 	auto body = std::make_shared<ChBody>();
