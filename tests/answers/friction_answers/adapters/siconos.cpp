@@ -23,7 +23,9 @@ using algebra::SiconosVector3, std::make_shared, Eigen::Quaterniond, Eigen::Map;
 // it; end of time, s.
 constexpr double FOOT = 0.01, FLOOR = 20, MARGIN = 1e-3, HEAVY = 1e6, FOREVER = 1e6;
 struct Body { std::shared_ptr<RigidBodyDS> it; bool is_driven; SiconosVector3 force; };
-constexpr double TOLERANCES[] = {1e-4, 1e-8}; // of the solver, by setting
+// Tolerance of the solver; scale of Bullet's world, distance there at which a contact point is dropped, turns of a body that look for more points.
+const struct Setting { double tolerance, scale, breaking; unsigned perturbations; } SETTINGS[] = {
+	{1e-4, 1, 0.02, 3}, {1e-8, 1, 0.02, 3}, {1e-4, 10, 0.002, 8}};
 static Map<const SiconosVector3> vector(const double v[3]) { return Map<const SiconosVector3>(v); }
 static Quaterniond turn(const RigidBodyDS &body) { return {body.q_read()(3), body.q_read()(4), body.q_read()(5), body.q_read()(6)}; }
 static auto shapes(const fa_body &from) {
@@ -46,15 +48,18 @@ static auto shapes(const fa_body &from) {
 }
 struct World {
 	World(const fa_scene &scene) {
+		const Setting &setting = SETTINGS[scene.setting];
 		auto system = make_shared<modeling::NonSmoothDynamicalSystem>(0.0, FOREVER);
 		simulation = make_shared<simulation::TimeStepping>(system, make_shared<simulation::TimeDiscretisation>(0.0, scene.dt));
 		auto problem = make_shared<nonsmooth_formulations::FrictionContact>(3);
-		problem->numericsSolverOptions()->dparam[SICONOS_DPARAM_TOL] = TOLERANCES[scene.setting];
-		auto manager = make_shared<bullet::SiconosBulletCollisionManager>();
+		problem->numericsSolverOptions()->dparam[SICONOS_DPARAM_TOL] = setting.tolerance;
+		auto options = make_shared<bullet::SiconosBulletOptions>();
+		options->worldScale = setting.scale, options->contactBreakingThreshold = setting.breaking;
+		options->perturbationIterations = options->minimumPointsPerturbationThreshold = setting.perturbations;
+		auto manager = make_shared<bullet::SiconosBulletCollisionManager>(options);
 		manager->insertNonSmoothLaw(make_shared<modeling::NewtonImpactFrictionNSL>(0.0, 0.0, scene.mu, 3), 0, 0);
 		simulation->insertIntegrator(make_shared<integrators::MoreauJeanOSI>(0.5));
-		simulation->insertNonSmoothProblem(problem);
-		simulation->insertInteractionManager(manager);
+		simulation->insertNonSmoothProblem(problem), simulation->insertInteractionManager(manager);
 		simulation->setWarningNonsmoothSolver(false), simulation->setNewtonWarningOnNonConvergence(false);
 		for (const fa_body *from = scene.bodies; from != scene.bodies + scene.count; from++) {
 			algebra::SiconosVector7 place;
@@ -64,8 +69,7 @@ struct World {
 			const double factor = from->is_driven ? HEAVY : 1;
 			auto body = make_shared<RigidBodyDS>(place, algebra::SiconosVector6::Zero(), factor * from->mass, factor * inertia);
 			bodies.emplace_back(new Body{body, from->is_driven != 0, SiconosVector3::Zero()});
-			body->setUseContactorInertia(false);
-			body->setContactors(shapes(*from));
+			body->setUseContactorInertia(false), body->setContactors(shapes(*from));
 			body->setConstantFext(bodies.back()->force, algebra::alias_t);
 			system->insertDynamicalSystem(body);
 		}
@@ -83,17 +87,17 @@ struct World {
 	std::array<double, 13> state(int number) const {
 		const RigidBodyDS &body = *bodies[number]->it;
 		std::array<double, 13> state;
-		Map<Eigen::Matrix<double, 13, 1>>{state.data()} << body.q_read(), body.twist_read().head<3>(),
-			turn(body) * SiconosVector3(body.twist_read().tail<3>());
+		const SiconosVector3 spin = turn(body) * SiconosVector3(body.twist_read().tail<3>());
+		Map<Eigen::Matrix<double, 13, 1>>{state.data()} << body.q_read(), body.twist_read().head<3>(), spin;
 		return state;
 	}
 	void gravity(const double gravity[3]) {
-		for (auto &body : bodies)
-			if (!body->is_driven) body->force = body->it->scalarMass() * vector(gravity);
+		for (auto &body : bodies) if (!body->is_driven) body->force = body->it->scalarMass() * vector(gravity);
 	}
 	void force(int number, const double force[3]) { bodies[number]->force = vector(force); }
 	std::shared_ptr<simulation::TimeStepping> simulation;
 	std::vector<std::unique_ptr<Body>> bodies;
 };
 FA_ENGINE(World, R"({"name": "Siconos", "version": "4.5.0", "licence": "Apache-2.0", "kind": "mechanics", "settings": {
-	"default": {"dt": 1e-3}, "tolerance 1e-8": {"dt": 1e-3, "tolerance": 1e-8}}})", fa_lacks)
+	"default": {"dt": 1e-3}, "tolerance 1e-8": {"dt": 1e-3, "tolerance": 1e-8},
+	"more contact points": {"dt": 1e-3, "worldScale": 10, "contactBreakingThreshold": 0.002, "perturbationIterations": 8}}})", fa_lacks)
