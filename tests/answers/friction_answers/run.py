@@ -139,6 +139,8 @@ def run(name, settings=(), items=(), seed=None, only=None, told=lambda text, end
     `earlier` are results of the same options to go on with; a case that ended their process twice is left out as failed. A case that takes longer than
     `limit`, in s, ends this process.
     """
+    if not 0.0 < limit <= 1e6:
+        raise Refused(f"a limit is above 0 and at most 1e6 s, not {limit:g} s")
     engine = adapter(name)
     check(name, engine)
     for setting in settings:
