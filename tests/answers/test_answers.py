@@ -135,6 +135,8 @@ class Commands(unittest.TestCase):
             page = Path(folder) / "page"
             said("page", str(file), "--out", str(page))
             self.assertEqual(sorted(path.name for path in page.iterdir()), ["engines.csv", "engines.md", "engines.svg"])
+            with self.assertRaisesRegex(SystemExit, "two results are of Coulomb at corners, fine steps"):
+                said("page", str(file), str(file), "--out", str(page))
         (run,) = results["runs"]
         found = {(case["item"], row["quantity"]): row for case in run["cases"] for row in case["rows"]}
         # Two points at the ends have twice the torque of the line between them.
@@ -168,6 +170,10 @@ class Commands(unittest.TestCase):
             source.with_suffix(".dll").write_text("no library")
             with self.assertRaisesRegex(SystemExit, "has not the functions of engine.h"):
                 said("run", str(source.with_suffix(".dll")))
+            with self.assertRaisesRegex(SystemExit, "no engine .*, compiled where it must be"):
+                said("run", str(source.resolve()))
+            with self.assertRaisesRegex(SystemExit, "there is no case 99, but 0, 5"):
+                said("run", str(library), "--items", "box", "--case", "99")
 
     def test_a_case_that_ends_its_process_twice_is_left_out(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -182,8 +188,12 @@ class Commands(unittest.TestCase):
                 codes = [subprocess.run(words, cwd=HERE, capture_output=True).returncode for _ in range(3)]
                 self.assertEqual([code != 0 for code in codes], [True, True, False], fault)
                 (run,) = json.loads(file.read_text())["runs"]
-                self.assertEqual(run["cannot"], {"box 50": "fails: ends the process, or takes more than 1 s"})
+                self.assertEqual(run["cannot"], {"box 50": "fails: ends the process, by a crash or after 1 s"})
                 self.assertEqual([(case["item"], len(case["rows"]) > 0) for case in run["cases"]], [("wheel", True), ("box", False)])
+                # Another build is not what was played.
+                own.write_text(own.read_text() + "\n")
+                again = subprocess.run(words, cwd=HERE, capture_output=True, text=True)
+                self.assertIn("the earlier results are of another build of this engine", again.stderr)
 
     def test_tables_of_both_versions_are_compared(self):
         with tempfile.TemporaryDirectory() as folder:

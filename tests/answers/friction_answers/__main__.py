@@ -11,9 +11,10 @@ from pathlib import Path
 from .answers import ANSWERS, DOUBLE
 from .cases import drawn
 from .items import ITEMS
-from .page import MARKS, Row, page, read
+from .page import MARKS, Row, page, read, short
 from .page import told as told_mark
-from .run import LIMIT, Refused, run
+from .run import LIMIT, run
+from .scene import Refused
 from .table import CLASSES, answers, class_of, error
 from .units import UNITS
 
@@ -53,11 +54,8 @@ def played(args):
 
     if args.resume and not args.out:
         sys.exit("friction-answers: --resume goes on with the results of --out")
-    try:
-        earlier = read(Path(args.out)) if args.resume and Path(args.out).exists() else None
-        results = run(args.engine, args.setting, args.items, args.seed, "last" if args.quick else args.case, told, kept, earlier, args.limit)
-    except (Refused, ValueError) as reason:
-        sys.exit(f"friction-answers: {reason}")
+    earlier = read(Path(args.out)) if args.resume and Path(args.out).exists() else None
+    results = run(args.engine, args.setting, args.items, args.seed, "last" if args.quick else args.case, told, kept, earlier, args.limit)
     summary(results)
     if args.out:
         print(f"written to {args.out}")
@@ -76,14 +74,14 @@ def summary(results):
             for row in case["rows"]:
                 print(told_row(case["item"], case["case"], row))
         for item, reason in one["cannot"].items():
-            print(f"  {item:16} cannot: {reason}")
+            print(f"  {item:16} {'' if reason.startswith('fails') else 'cannot: '}{reason}")
         classes = [row["class"] for case in one["cases"] for row in case["rows"]]
         print("  " + ", ".join(f"{classes.count(name)} {name}" for name in CLASS_NAMES))
         row = Row(results, one)
         print(
             "  "
             + ", ".join(f"{mark} {told_mark(mark, row.median(mark))}" for mark in MARKS)
-            + f"; error {100 * row.overall():.2g} %, cost {row.cost:.2g}, cases {row.count()}"
+            + f"; error {short(100 * row.overall())} %, cost {row.cost:.2g} s a simulated s, cases {row.count().replace('¹', ', one of each problem')}"
         )
 
 
@@ -148,13 +146,11 @@ def varied(args):
 
 
 def paged(args):
-    try:
-        results = [read(Path(path)) for path in args.results]
-    except ValueError as reason:
-        sys.exit(f"friction-answers: {reason}")
+    results = [read(Path(path)) for path in args.results]
     if all(one["seed"] is not None for one in results):
         sys.exit("friction-answers: these are results of random cases; a page needs those of the standard ones, without --seed")
     page(results, Path(args.out))
+    print(f"written to {Path(args.out) / 'engines.md'}")
 
 
 def all_run(args):
@@ -225,7 +221,10 @@ def main():
         args.do(args)
     except BrokenPipeError:
         sys.stderr.close()
+    except Refused as reason:
+        sys.exit(f"friction-answers: {reason}")
     except KeyboardInterrupt:
+        print("\nfriction-answers: stopped; what was played is in the file of --out, where --resume goes on", file=sys.stderr)
         sys.exit(130)
 
 

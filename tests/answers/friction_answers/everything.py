@@ -10,6 +10,8 @@ from pathlib import Path
 
 from .cases import DATA
 from .page import page, read
+from .run import OWN, digest
+from .scene import Refused
 
 PACKAGE = Path(__file__).resolve().parent
 SEED = 1  # of the random cases
@@ -43,12 +45,19 @@ SOURCES = {
 
 def everything(out, names, own, quick, limit, told):
     """Runs the engines of these names, all without any, and one's own, and writes the page into a folder; results of the same cases that are there are kept."""
+    for name in own:
+        if Path(name).suffix in OWN and not Path(name).is_file():
+            raise Refused(f"there is no file {name}")
     out.mkdir(parents=True, exist_ok=True)
     missing, alone = {}, package(out / "engines" / "package")
     for name in [*(names or ENGINES), *own]:
         results = out / f"{Path(name).stem}.json"
         random = results.with_suffix(".random.json")
-        owed = [words for words in (["--out", results, *(["--quick"] if quick else [])], ["--out", random, "--seed", str(SEED)]) if not is_there(*words[1:])]
+        owed = [
+            words
+            for words in (["--out", results, *(["--quick"] if quick else [])], ["--out", random, "--seed", str(SEED)])
+            if not is_there(name if name in own else None, *words[1:])
+        ]
         if not owed:
             told(f"{name}: kept {results}")
             continue
@@ -67,30 +76,32 @@ def everything(out, names, own, quick, limit, told):
             missing[name] = f"not installed: {failure}: {failure.stderr.decode(errors='replace').strip().splitlines()[-1:]}"
         except OSError as failure:
             missing[name] = f"not installed: {failure}"
-        told(f"{name}: {missing.get(name, 'done')}, {(time.monotonic() - began) / 60:.1f} min")
+        failed = sum(reason.startswith("fails") for one in earlier(results).get("runs", ()) for reason in one["cannot"].values())
+        told(f"{name}: {missing.get(name, f'done, {failed} cases fail' if failed else 'done')}, {(time.monotonic() - began) / 60:.1f} min")
     found = []
     for path in sorted(out.glob("*.json")):
         try:
             found.append(read(path))
-        except ValueError as reason:
+        except Refused as reason:
             told(f"left out: {reason}")
     if not found:
         sys.exit("no engine ran")
     page(found, out, missing)
+    told(f"written to {out / 'engines.md'}")
 
 
 def earlier(path):
     """Results in a file, or what is like none."""
     try:
         return read(path)
-    except ValueError:
+    except Refused:
         return {"is_done": False, "only": None}
 
 
-def is_there(path, *words):
-    """Whether there are results of the cases of these options, to the last one; those of other options are removed."""
+def is_there(own, path, *words):
+    """Whether there are results of the cases of these options, to the last one; those of other options or an earlier build of one's own are removed."""
     found = earlier(path)
-    if (found["only"] == "last") != ("--quick" in words):
+    if (found["only"] == "last") != ("--quick" in words) or (own and found.get("file") != digest(own)):
         path.unlink(missing_ok=True)
         return False
     return found["is_done"]

@@ -5,7 +5,7 @@ from ctypes import CDLL, POINTER, Structure, byref, c_char_p, c_double, c_int, c
 from itertools import chain
 from types import SimpleNamespace
 
-from .scene import Unsupported
+from .scene import Refused, Unsupported
 
 SHAPES = ("box", "cylinder", "ball", "capsule", "feet")
 Vector, State = c_double * 3, c_double * 13
@@ -26,14 +26,14 @@ class CScene(Structure):
 
 
 def about(library):
-    """What the library says of itself; a ValueError says what is wrong with it."""
+    """What the library says of itself; Refused says what is wrong with it."""
     text = library.fa_about()
     try:
         found = json.loads(text or b"")
         names = {name.upper(): found[name] for name in ("name", "version", "licence", "kind")}
         settings = {name: {"dt": options["dt"], **options} for name, options in found["settings"].items()}
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise ValueError(f"fa_about gives {text!r}: {error!r}; engine.h says what it has to be") from error
+        raise Refused(f"fa_about gives {(text or b'nothing').decode(errors='replace')}: {error!r}; engine.h says what it has to be") from error
     return names, settings
 
 

@@ -8,6 +8,7 @@ import statistics
 
 from .items import ITEMS
 from .picture import scatter
+from .scene import Refused
 from .table import class_of
 
 MARKS = tuple(dict.fromkeys(item.mark for item in ITEMS.values()))
@@ -118,14 +119,14 @@ def footnote(row, mark):
 
 
 def read(path):
-    """Results of `run` from a file; a ValueError says why it has none."""
+    """Results of `run` from a file; Refused says why it has none."""
     try:
         results = json.loads(path.read_text())
         missing = {"engine", "kind", "seed", "is_done", "runs"} - results.keys()
     except (OSError, ValueError, AttributeError) as reason:
-        raise ValueError(f"{path} has no results of `friction-answers run`: {reason}") from reason
+        raise Refused(f"{path} has no results of `friction-answers run`: {reason}") from reason
     if missing:
-        raise ValueError(f"{path} has no results of this version of `friction-answers run`: {', '.join(sorted(missing))} is missing")
+        raise Refused(f"{path} has no results of this version of `friction-answers run`: {', '.join(sorted(missing))} is missing")
     return results
 
 
@@ -172,9 +173,14 @@ def table(rows):
 
 
 def page(results, out, missing=None):
-    """Writes engines.md, engines.svg and engines.csv."""
+    """Writes engines.md, engines.svg and engines.csv; Refused says which results exclude each other."""
     rows = [Row(one, run) for one in results if one["seed"] is None for run in one["runs"]]
     random = [Row(one, run) for one in results if one["seed"] is not None for run in one["runs"]]
+    for some in (rows, random):
+        names = [(row.engine, row.setting) for row in some]
+        twice = next((name for name in names if names.count(name) > 1), None)
+        if twice:
+            raise Refused(f"two results are of {', '.join(twice)}: leave one away, or give the engines different names")
     drawn = {(row.engine, row.setting): row.overall() for row in random}
     for row in rows:
         row.random = drawn.get((row.engine, row.setting))

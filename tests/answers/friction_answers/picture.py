@@ -46,7 +46,7 @@ def scatter(rows):
     taken = [(px(x) - 5, py(y) + 4, 10.0) for _, x, y in points]
     for i, engine in enumerate(dict.fromkeys(row.engine for row, _, _ in points)):
         colour = COLOURS[i % len(COLOURS)]
-        own = sorted((x, y, row) for row, x, y in points if row.engine == engine)
+        own = sorted(((x, y, row) for row, x, y in points if row.engine == engine), key=lambda point: point[:2])
         path = " ".join(f"{px(x):.1f},{py(y):.1f}" for x, y, _ in own)
         out.append(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-opacity="0.5"/>')
         for x, y, row in own:

@@ -1,6 +1,7 @@
 """Runs an engine through the problems."""
 
 import faulthandler
+import hashlib
 import importlib
 import importlib.util
 import json
@@ -17,11 +18,12 @@ from .cases import drawn, standard
 from .items import ITEMS
 from .library import engine as library
 from .page import KINDS
-from .scene import Unsupported
+from .scene import Refused, Unsupported
 from .table import answers, class_of, corners, error
 
 OWN = (".py", ".so", ".dylib", ".dll")
 LIMIT = 900.0  # of a case, s
+CALLED = {"only": "choice of cases", "file": "build of this engine"}
 
 
 def adapter(name):
@@ -32,8 +34,6 @@ def adapter(name):
         if Path(name).suffix != ".py":
             try:
                 return library(str(Path(name).resolve()))
-            except ValueError as error:
-                raise Refused(f"{name}: {error}") from error
             except (OSError, AttributeError) as error:
                 raise Refused(f'{name} has not the functions of engine.h (in C++, extern "C"), or is not linked with the engine: {error}') from error
         spec = importlib.util.spec_from_file_location("friction_answers.adapters.own", name)
@@ -42,10 +42,10 @@ def adapter(name):
         spec.loader.exec_module(module)
         return module
     known = sorted(path.stem for path in (Path(__file__).parent / "adapters").glob("*.py") if path.stem not in ("__init__", "template"))
-    if any((Path(__file__).parent / "adapters").glob(f"{name}.c*")):
+    if (Path(__file__).parent / "adapters" / f"{name}.cpp").is_file():
         raise Refused(f"{name} is built from its sources: `friction-answers all --engines {name}`, or run the library that adapters/CMakeLists.txt makes")
     if name not in known:
-        raise Refused(f"no engine {name}; there are {', '.join(known)}, or a file of your own that ends in {', '.join(OWN)}")
+        raise Refused(f"no engine {name}; there are {', '.join(known)}, or a file of your own, compiled where it must be, that ends in {', '.join(OWN)}")
     try:
         return importlib.import_module(f"friction_answers.adapters.{name}")
     except ImportError as error:
@@ -64,8 +64,9 @@ def check(name, engine):
         raise Refused(f"{name} must have one setting or more, each with dt, a number above 0, in s")
 
 
-class Refused(Exception):
-    """Why a run cannot begin."""
+def digest(name):
+    """Of one's own file, so that results of an earlier one are not taken for it."""
+    return hashlib.sha256(Path(name).read_bytes()).hexdigest()[:16] if Path(name).suffix in OWN else None
 
 
 def cases_of(item, seed, only):
@@ -146,15 +147,20 @@ def run(name, settings=(), items=(), seed=None, only=None, told=lambda text, end
     for setting in settings:
         if setting not in engine.SETTINGS:
             raise Refused(f"{name} has no setting {setting}; there are {', '.join(engine.SETTINGS)}")
+    named = [case for item in items or ITEMS for case in standard()[item]]
+    if only not in (None, "last", *named):
+        raise Refused(f"there is no case {only}, but {', '.join(dict.fromkeys(named))}")
     about = {
-        "engine": engine.NAME, "version": engine.VERSION, "licence": engine.LICENCE, "kind": engine.KIND, "adapter": Path(name).name, "seed": seed, "only": only,
+        "engine": engine.NAME, "version": engine.VERSION, "licence": engine.LICENCE, "kind": engine.KIND, "adapter": Path(name).name, "file": digest(name),
+        "seed": seed, "only": only,
     }  # fmt: skip
     machine = {"system": platform.platform(), "processor": processor(), "cores": os.cpu_count(), "python": platform.python_version()}
     results = (earlier or about | {"machine": machine, "runs": []}) | {"is_done": False}
     results.setdefault("stops", {})
     for key in about:
         if results.get(key) != about[key]:
-            raise Refused(f"the earlier results have {key} {results.get(key)}, not {about[key]}")
+            was, now = ("one of each problem" if found == "last" else found or "all" for found in (results.get(key), about[key]))
+            raise Refused(f"the earlier results are of another {CALLED.get(key, key)}, {was}, not {now}: remove them or give another --out")
     try:
         for setting in settings or engine.SETTINGS:
             one = run_of(setting, engine.SETTINGS[setting], results["runs"])
@@ -200,7 +206,7 @@ def play_item(engine, one, item, cases, results, limit, told, kept):
             if stops < 2:
                 rows, cost = play(engine, one["setting"], item, case, exact, points.get((item.name, name), {}))
             else:
-                failure = f"ends the process, or takes more than {limit:g} s"
+                failure = f"ends the process, by a crash or after {limit:g} s"
         except Unsupported:
             raise
         except Exception as error:  # An engine that stops is a result.
@@ -213,7 +219,7 @@ def play_item(engine, one, item, cases, results, limit, told, kept):
         if failure:
             one["cannot"][f"{item.name} {name}"] = f"fails: {failure}"
         one["cases"].append({"item": item.name, "mark": item.mark, "case": name, "rows": rows, "cost": cost})
-        told(f" {time.perf_counter() - began:.1f} s")
+        told(" left out" if stops >= 2 else f" {time.perf_counter() - began:.1f} s")
 
 
 def first_sentence(failure):

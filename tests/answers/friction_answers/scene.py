@@ -104,6 +104,10 @@ def parts(shape, **makers):
     return [(makers[shape.kind](*shape.sizes), (0.0, 0.0, 0.0), pose)]
 
 
+class Refused(Exception):
+    """Why a run or a page cannot begin."""
+
+
 class Unsupported(Exception):
     """Why an engine cannot hold a scene; the page has it as a footnote."""
 
