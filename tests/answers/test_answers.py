@@ -146,7 +146,7 @@ class Commands(unittest.TestCase):
             page = Path(folder) / "page"
             said("page", str(file), "--out", str(page))
             self.assertEqual(sorted(path.name for path in page.iterdir()), ["engines.csv", "engines.md", "engines.svg"])
-            with self.assertRaisesRegex(SystemExit, "two results are of Coulomb at corners, fine steps"):
+            with self.assertRaisesRegex(SystemExit, "results of corners and corners are both of Coulomb at corners, fine steps"):
                 said("page", str(file), str(file), "--out", str(page))
         (run,) = results["runs"]
         found = {(case["item"], row["quantity"]): row for case in run["cases"] for row in case["rows"]}

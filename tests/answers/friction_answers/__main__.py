@@ -224,7 +224,7 @@ def main():
     except Refused as reason:
         sys.exit(f"friction-answers: {reason}")
     except KeyboardInterrupt:
-        print("\nfriction-answers: stopped; with --out what was played is kept, and --resume goes on there", file=sys.stderr)
+        print("\nfriction-answers: stopped; what was played is kept in --out: `run --resume` goes on there, or the same `all`", file=sys.stderr)
         sys.exit(130)
 
 

@@ -91,20 +91,20 @@ def everything(out, names, own, quick, limit, told):
 
 
 def earlier(path):
-    """Results in a file, or what is like none."""
+    """Results in a file; nothing where it has none."""
     try:
         return read(path)
     except Refused:
-        return {"is_done": False, "only": None}
+        return {}
 
 
 def is_there(own, path, *words):
     """Whether there are results of the cases of these options, to the last one; those of other options or an earlier build of one's own are removed."""
     found = earlier(path)
-    if (found["only"] == "last") != ("--quick" in words) or (own and found.get("file") != digest(own)):
-        path.unlink(missing_ok=True)
+    if found and ((found.get("only") == "last") != ("--quick" in words) or (own and found.get("file") != digest(own))):
+        path.unlink()
         return False
-    return found["is_done"]
+    return found.get("is_done", False)
 
 
 class Failed(Exception):

@@ -29,7 +29,7 @@ class Row:
         self.version, self.licence, self.kind = results["version"], results["licence"], results["kind"]
         self.setting, self.options, self.cannot = run["setting"], run["options"], run["cannot"]
         self.engine = self.options.get("engine", results["engine"])
-        self.cases = run["cases"]
+        self.cases, self.adapter = run["cases"], results.get("adapter")
         self.is_ours, self.is_full = "tribos" in self.engine.lower(), results.get("only") is None
         self.is_done = results["is_done"]
         costs = [case["cost"] for case in self.cases if case["cost"]]
@@ -177,10 +177,11 @@ def page(results, out, missing=None):
     rows = [Row(one, run) for one in results if one["seed"] is None for run in one["runs"]]
     random = [Row(one, run) for one in results if one["seed"] is not None for run in one["runs"]]
     for some in (rows, random):
-        names = [(row.engine, row.setting) for row in some]
-        twice = next((name for name in names if names.count(name) > 1), None)
-        if twice:
-            raise Refused(f"two results are of {', '.join(twice)}: leave one away, or give the engines different names")
+        names = {}
+        for row in some:
+            other = names.setdefault((row.engine, row.setting), row)
+            if other is not row:
+                raise Refused(f"results of {other.adapter} and {row.adapter} are both of {row.engine}, {row.setting}: leave one away, or name the engines apart")
     drawn = {(row.engine, row.setting): row.overall() for row in random}
     for row in rows:
         row.random = drawn.get((row.engine, row.setting))
